@@ -1,0 +1,77 @@
+/* Cameras: from scene coordinates (scene.h) to the pixels of a view.
+ *
+ * A Projection is all that a painter and a picker know of a camera; the plane
+ * view has one too, so that both views are painted and picked by one code.
+ */
+#ifndef CAMERA_H
+#define CAMERA_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct Point3 {
+  double x, y, z;
+} Point3;
+
+typedef struct Quaternion {
+  double w, x, y, z;
+} Quaternion;
+
+/* The look at space: turned about a centre, as with a trackball. */
+typedef struct Camera {
+  Quaternion turn; /* scene axes to eye axes (x right, y up, z to the eye) */
+  Point3 centre;   /* the scene point in the middle of the view */
+  double zoom;     /* 1: the scene fills the view */
+  double pan_x, pan_y; /* in half view heights */
+  bool is_parallel;    /* no perspective */
+} Camera;
+
+/* The look at the plane. */
+typedef struct PlaneCamera {
+  double centre_x, centre_y; /* scene units */
+  double zoom;               /* 1: the unit square fills the view */
+} PlaneCamera;
+
+typedef struct Projection {
+  double matrix[16];    /* column-major: scene → clip coordinates */
+  Point3 eye;           /* scene units; at infinity when is_parallel */
+  bool is_parallel;     /* then eye is the direction to the eye */
+  double width, height; /* of the view, px */
+} Projection;
+
+typedef enum CameraPreset {
+  CAMERA_HOME,      /* from a little above, everything seen */
+  CAMERA_LOOK_UP,   /* from below along z, parallel: the lower facets lie over
+                       their shadows, mirrored left-right */
+  CAMERA_LOOK_DOWN, /* from above along z, parallel */
+  CAMERA_SIDE,      /* level with the plane */
+} CameraPreset;
+
+#define N_CAMERA_PRESETS (CAMERA_SIDE + 1)
+
+const char *camera_preset_name (CameraPreset preset); /* "look-up" … */
+bool camera_preset_parse (const char *name, CameraPreset *preset);
+
+void camera_init (Camera *camera, CameraPreset preset);
+void plane_camera_init (PlaneCamera *camera);
+
+/* Turns as if a ball filling the view were rolled from one pixel to another.
+ */
+void camera_roll (Camera *camera,
+                  const double from_px[2],
+                  const double to_px[2],
+                  const double size_px[2]);
+
+Projection
+camera_projection (const Camera *camera, double width, double height);
+Projection plane_camera_projection (const PlaneCamera *camera,
+                                    double width,
+                                    double height);
+
+/* Returns: pixel coordinates, y down; z grows away from the eye. */
+Point3 projection_apply (const Projection *projection, Point3 point);
+
+/* Returns: the point of the plane z = 0 under a pixel. Plane view only. */
+Point3 projection_unapply (const Projection *projection, double x, double y);
+
+#endif

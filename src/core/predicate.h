@@ -1,0 +1,47 @@
+/* The signs on which everything rests. A filter in doubles settles nearly
+ * all of them; exact.h settles the rest. None is ever rounded.
+ *
+ * Coordinates are those of SiteSet.sites.
+ */
+#ifndef PREDICATE_H
+#define PREDICATE_H
+
+#include "site.h"
+
+/* Sign of the signed area of triangle abc.
+ *
+ * Returns: +1 when a, b, c turn left, -1 when they turn right, 0 when they
+ *          are collinear.
+ * Source:  Shewchuk 1997, ORIENT2D: stage A, then exact arithmetic.
+ */
+int orient (const Site *a, const Site *b, const Site *c);
+
+/* Side of the plane through the lifts of a, b, c on which the lift of d lies.
+ *
+ * Returns: +1 when d sees facet abc, that is when its lift lies strictly on
+ *          the side from which the lifts of a, b, c turn counter-clockwise;
+ *          -1 when it lies behind; 0 when the four lifts are coplanar, that
+ *          is when the four sites lie on one circle or line.
+ * Source:  Shewchuk 1997, INCIRCLE, with the opposite sign.
+ */
+int lift_orient (const Site *a, const Site *b, const Site *c, const Site *d);
+
+/* Which of two lifts lies further in front of the plane through the lifts of
+ * plane[0], plane[1], plane[2]: compares the signed determinants, which for
+ * one facet order as the perpendicular distance and the vertical gap do.
+ *
+ * Returns: +1 when p lies further in front than q, -1 when q does, 0 when
+ *          they tie.
+ */
+int lift_further (const Site plane[3], const Site *p, const Site *q);
+
+/* Where the outward normal of a facet points. */
+typedef enum Facing {
+  FACING_LOWER,    /* down: its shadow is a Delaunay triangle, clockwise */
+  FACING_UPPER,    /* up: its shadow is counter-clockwise */
+  FACING_VERTICAL, /* level: its shadow is a segment */
+} Facing;
+
+Facing facing (const Site *a, const Site *b, const Site *c);
+
+#endif

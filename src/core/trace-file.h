@@ -1,0 +1,46 @@
+/* Trace files: the first line is "hull2vd-trace 1", then the sites, then one
+ * event a line. Reading a file back gives the same trace, event by event.
+ *
+ *   hull2vd-trace 1
+ *   order furthest
+ *   site 0 -0.6 -0.5
+ *   …
+ *   simplex f0 s0 s2 s1
+ *   claim s4 f0
+ *   select f0 s4
+ *   visible f0 s4
+ *   horizon s0 s2 f1
+ *   cone f4 s0 s2 s4
+ *   retire f0
+ *   complete
+ */
+#ifndef TRACE_FILE_H
+#define TRACE_FILE_H
+
+#include "timeline.h"
+
+#include <stdio.h>
+
+#define TRACE_VERSION 1
+
+/* Writes @trace. GRAIN_EVENT writes every event; coarser grains write one
+ * line for each phase or round, with counts, and cannot be read back.
+ *
+ * Returns: false when writing failed (errno). */
+bool trace_file_write (const Trace *trace, Grain grain, FILE *file);
+
+typedef struct TraceFileError {
+  uint32_t line;
+  char reason[160];
+} TraceFileError;
+
+/* Reads the events of a trace file of GRAIN_EVENT and its sites.
+ *
+ * Owns:    the caller frees *@set and the trace, in the other order.
+ * Returns: the trace, or NULL with *@error filled. */
+Trace *trace_file_parse (const char *text,
+                         size_t length,
+                         SiteSet **set,
+                         TraceFileError *error);
+
+#endif

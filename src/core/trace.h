@@ -1,0 +1,99 @@
+/* A trace: all that happened while one hull was built, kept for good.
+ *
+ * Steps count events: step 0 is before the first event, step s is after
+ * event s - 1 of the list. Every row carries the span of steps in which it
+ * stands; a row is shown at step s iff birth <= s < death. What a thing is at
+ * a step (standing, visible, new) is computed from spans, never stored, so
+ * going back is choosing a smaller step.
+ */
+#ifndef TRACE_H
+#define TRACE_H
+
+#include "hull.h"
+#include "predicate.h"
+
+#define STEP_NEVER UINT32_MAX
+
+typedef struct Span {
+  uint32_t birth, death; /* steps; death STEP_NEVER: stands to the end */
+} Span;
+
+/* Row number = facet number. */
+typedef struct FacetRow {
+  uint32_t site[3]; /* counter-clockwise seen from outside */
+  uint32_t round;   /* of its birth; 0 for the simplex */
+  uint32_t seen;    /* step at which it was found visible, or STEP_NEVER */
+  Facing facing;
+  Span span;
+} FacetRow;
+
+/* A pair of neighbouring facets. When a cone facet takes the place of a
+ * visible one, the row of the old pair dies and one of the new pair is born
+ * with the same sites. A ridge between two lower facets is a Delaunay edge
+ * and, dually, a Voronoi edge. */
+typedef struct RidgeRow {
+  uint32_t site[2];  /* tail and head; facet[0] on the left from outside */
+  uint32_t facet[2]; /* left, right */
+  Span span;
+} RidgeRow;
+
+/* Membership of a site in an outside set. */
+typedef struct ClaimRow {
+  uint32_t site, facet;
+  Span span; /* dies when the site is selected or the facet retires */
+} ClaimRow;
+
+/* One insertion. Each field is the step after the named event. */
+typedef struct RoundRow {
+  uint32_t facet, site; /* of the SELECT event */
+  uint32_t select;      /* phase choose is this one event */
+  uint32_t first_visible, last_visible;
+  uint32_t first_horizon, last_horizon;
+  uint32_t first_cone, last_cone;
+  uint32_t first_retire, last_retire;
+  uint32_t end; /* last CLAIM, or last_retire */
+} RoundRow;
+
+typedef struct Trace {
+  const SiteSet *set; /* borrowed: must outlive the trace */
+  Order order;
+  Event *events;
+  uint32_t n_events; /* = the last step */
+  FacetRow *facets;
+  uint32_t n_facets;
+  RidgeRow *ridges;
+  uint32_t n_ridges;
+  ClaimRow *claims;
+  uint32_t n_claims;
+  RoundRow *rounds; /* rounds[0] is round 1 */
+  uint32_t n_rounds;
+  uint32_t *inserted;   /* per site: step from which it is on the hull, or
+                           STEP_NEVER (duplicates); flat input: the FLAT step */
+  bool is_flat;         /* there is no simplex */
+  uint32_t simplex_end; /* step after the last SIMPLEX event; FLAT if flat */
+  uint32_t start_end;   /* step after the last event before round 1 */
+} Trace;
+
+/* Runs hull_build() and keeps what it says.
+ *
+ * Owns: the caller frees with trace_free(). */
+Trace *trace_record (const SiteSet *set, const Order *order);
+void trace_free (Trace *trace);
+
+/* Returns: whether the row with @span is shown at @step. */
+static inline bool
+span_has (Span span, uint32_t step)
+{
+  return span.birth <= step && step < span.death;
+}
+
+/* Returns: the step whose standing facets are the triangulation to show at
+ *          @step: @step itself, or inside a round, until its last facet is
+ *          retired, the step just before the round. */
+uint32_t trace_base (const Trace *trace, uint32_t step);
+
+/* Returns: the index into rounds of the round in hand at @step, that is of
+ *          the last round selected, or INDEX_NONE before the first. */
+uint32_t trace_round (const Trace *trace, uint32_t step);
+
+#endif

@@ -1,0 +1,27 @@
+/* The cairo painter: draws a scene as a projection shows it. The same code
+ * paints the screen, exported pictures and reference images. */
+#ifndef PAINTER_H
+#define PAINTER_H
+
+#include "theme.h"
+
+#include <cairo.h>
+
+typedef enum PainterFlags {
+  PAINTER_FAST = 1,  /* something moves: no antialiasing */
+  PAINTER_CLEAR = 2, /* leave the background transparent */
+} PainterFlags;
+
+/* Paints into the rectangle 0, 0, width, height of @projection. Labels avoid
+ * marks, lines and each other. Changes nothing. */
+void painter_paint (cairo_t *cr,
+                    const Scene *scene,
+                    const Projection *projection,
+                    const Theme *theme,
+                    PainterFlags flags);
+
+/* Draws the legend's sample of a role, centred in @width × @height. */
+void painter_swatch (
+    cairo_t *cr, Role role, const Theme *theme, double width, double height);
+
+#endif

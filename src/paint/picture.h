@@ -1,0 +1,50 @@
+/* Pictures of a frame as files: SVG, PDF, PNG. */
+#ifndef PICTURE_H
+#define PICTURE_H
+
+#include "painter.h"
+
+#include <cairo.h>
+#include <stdio.h>
+
+typedef enum PictureView {
+  PICTURE_PLANE,
+  PICTURE_SPACE,
+  PICTURE_BOTH, /* side by side */
+} PictureView;
+
+typedef enum PictureFormat {
+  PICTURE_SVG,
+  PICTURE_PDF,
+  PICTURE_PNG,
+} PictureFormat;
+
+typedef struct Picture {
+  PictureView view;
+  double width, height; /* px of the PNG, pt of the others */
+  SceneLook look;       /* low and high are set by the picture itself */
+  Camera camera;
+  PlaneCamera plane_camera;
+  const Theme *theme;
+  const char *title;       /* may be NULL; SVG <title>, PDF metadata */
+  const char *description; /* may be NULL: the narration */
+} Picture;
+
+/* A picture of everything in its default look, 960 × 480 for both views. */
+void picture_init (Picture *picture, PictureView view, const Frame *frame);
+
+/* Paints without a file, for the screen, pages and tests. */
+void picture_paint (const Picture *picture, const Frame *frame, cairo_t *cr);
+
+/* Writes the picture. The same frame gives the same bytes.
+ *
+ * Returns: false when writing failed. */
+bool picture_write (const Picture *picture,
+                    const Frame *frame,
+                    PictureFormat format,
+                    FILE *file);
+
+/* Returns: whether @path ends as a picture's name does; sets *@format. */
+bool picture_format_of (const char *path, PictureFormat *format);
+
+#endif

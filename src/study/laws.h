@@ -1,0 +1,23 @@
+/* The counters of a frame as laws: not "10 facets" but "10 = 2·7 − 4". */
+#ifndef LAWS_H
+#define LAWS_H
+
+#include "frame.h"
+
+#include <glib.h>
+
+G_BEGIN_DECLS
+
+typedef struct Law {
+  char *key;   /* "facets": also the name that expect uses */
+  char *name;  /* translated: "facets" */
+  char *value; /* "10 = 2·7 − 4" */
+} Law;
+
+/* Returns: (transfer full) (element-type Law): the laws to show, in order;
+ *          those of a round only while one is in hand. */
+GPtrArray *laws_of (const Frame *frame);
+
+G_END_DECLS
+
+#endif
