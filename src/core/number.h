@@ -10,11 +10,13 @@
 /* Reads one decimal number (no hexadecimal, infinity or nan) from the start
  * of @text, which ends with a zero byte.
  *
- * Returns: the first byte after it, or NULL when there is none or it is not
- *          finite. */
+ * Returns: the first byte after it, or NULL, and then *@number tells why:
+ *          infinite when it is beyond the double range, 0 when it is not zero
+ *          but nearer to zero than to any other double, NAN when there is
+ *          none. */
 const char *number_parse (const char *text, double *number);
 
-/* Writes the fewest digits that read back as the same double. */
+/* Writes few digits, at most 17, that read back as the same double. */
 void number_write (double number, char text[NUMBER_ROOM]);
 
 #endif

@@ -30,7 +30,8 @@ typedef struct SiteSet {
 } SiteSet;
 
 /* The signs of predicate.h are exact while all non-zero magnitudes lie within
- * 2^-SITE_RANGE … 2^SITE_RANGE. */
+ * 2^-SITE_RANGE … 2^SITE_RANGE (and a little beyond: below twice the latter).
+ */
 #define SITE_RANGE 145
 
 /* A square around the sites: all that views need to know to fill themselves,
@@ -39,6 +40,11 @@ typedef struct Extent {
   Site centre;
   double radius; /* half the side, never 0 */
 } Extent;
+
+/* Order from left to right, and upwards among sites of one x.
+ *
+ * Returns: less than, equal to or greater than 0, for qsort(). */
+int site_compare (const Site *a, const Site *b);
 
 /* Copies @sites; a negative zero becomes zero.
  *

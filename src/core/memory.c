@@ -1,0 +1,36 @@
+#include "memory.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void *
+there_or_abort (void *room)
+{
+  if (room == NULL) {
+    fputs ("hull2vd: out of memory\n", stderr);
+    abort ();
+  }
+  return room;
+}
+
+void *
+memory_new (size_t n, size_t size)
+{
+  assert (size > 0);
+  return there_or_abort (calloc (n > 0 ? n : 1, size));
+}
+
+void *
+memory_grow (void *array, uint32_t *capacity, uint32_t n, size_t size)
+{
+  const uint32_t twice
+      = *capacity <= UINT32_MAX / 2 ? 2 * *capacity : UINT32_MAX;
+  const uint32_t room = n > twice ? n : twice;
+
+  assert (size > 0 && n > *capacity);
+  if (room > SIZE_MAX / size)
+    return there_or_abort (NULL);
+  *capacity = room;
+  return there_or_abort (realloc (array, room * size));
+}

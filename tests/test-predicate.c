@@ -1,0 +1,338 @@
+#include "predicate.h"
+
+#include "exact.h"
+
+#include <glib.h>
+#include <gmp.h>
+#include <math.h>
+
+/* The judge: the same signs in rational numbers of any length, from the
+ * definition by lifts, not from the formula that predicate.c uses. */
+typedef mpq_t Lift[3];
+
+static void
+lift_init (Lift lift, const Site *site)
+{
+  mpq_t square;
+
+  mpq_init (square);
+  for (int i = 0; i < 3; i += 1)
+    mpq_init (lift[i]);
+  mpq_set_d (lift[0], site->x);
+  mpq_set_d (lift[1], site->y);
+  mpq_mul (lift[2], lift[0], lift[0]);
+  mpq_mul (square, lift[1], lift[1]);
+  mpq_add (lift[2], lift[2], square);
+  mpq_clear (square);
+}
+
+static void
+lift_clear (Lift lift)
+{
+  for (int i = 0; i < 3; i += 1)
+    mpq_clear (lift[i]);
+}
+
+static void
+lift_subtract (Lift lift, Lift other)
+{
+  for (int i = 0; i < 3; i += 1)
+    mpq_sub (lift[i], lift[i], other[i]);
+}
+
+/* minor = u[i] v[j] - u[j] v[i] */
+static void
+minor (mpq_t result, Lift u, Lift v, int i, int j)
+{
+  mpq_t right;
+
+  mpq_init (right);
+  mpq_mul (result, u[i], v[j]);
+  mpq_mul (right, u[j], v[i]);
+  mpq_sub (result, result, right);
+  mpq_clear (right);
+}
+
+static int
+judge_orient (const Site *a, const Site *b, const Site *c)
+{
+  Lift u, v, origin;
+  mpq_t area;
+  int sign;
+
+  lift_init (origin, a);
+  lift_init (u, b);
+  lift_init (v, c);
+  mpq_init (area);
+  lift_subtract (u, origin);
+  lift_subtract (v, origin);
+  minor (area, u, v, 0, 1);
+  sign = mpq_sgn (area);
+  lift_clear (origin);
+  lift_clear (u);
+  lift_clear (v);
+  mpq_clear (area);
+  return sign;
+}
+
+/* gap = normal of the plane through @plane, times the way to @d. */
+static void
+judge_gap (mpq_t gap, const Site plane[3], const Site *d)
+{
+  Lift u, v, way, origin;
+  mpq_t normal;
+
+  lift_init (origin, &plane[0]);
+  lift_init (u, &plane[1]);
+  lift_init (v, &plane[2]);
+  lift_init (way, d);
+  lift_subtract (u, origin);
+  lift_subtract (v, origin);
+  lift_subtract (way, origin);
+  mpq_init (normal);
+  mpq_set_ui (gap, 0, 1);
+  for (int i = 0; i < 3; i += 1) {
+    minor (normal, u, v, (i + 1) % 3, (i + 2) % 3);
+    mpq_mul (normal, normal, way[i]);
+    mpq_add (gap, gap, normal);
+  }
+  mpq_clear (normal);
+  lift_clear (origin);
+  lift_clear (u);
+  lift_clear (v);
+  lift_clear (way);
+}
+
+static int
+judge_lift_orient (const Site plane[3], const Site *d)
+{
+  mpq_t gap;
+  int sign;
+
+  mpq_init (gap);
+  judge_gap (gap, plane, d);
+  sign = mpq_sgn (gap);
+  mpq_clear (gap);
+  return sign;
+}
+
+static int
+judge_lift_further (const Site plane[3], const Site *p, const Site *q)
+{
+  mpq_t p_gap, q_gap;
+  int order;
+
+  mpq_init (p_gap);
+  mpq_init (q_gap);
+  judge_gap (p_gap, plane, p);
+  judge_gap (q_gap, plane, q);
+  order = mpq_cmp (p_gap, q_gap);
+  mpq_clear (p_gap);
+  mpq_clear (q_gap);
+  return (order > 0) - (order < 0);
+}
+
+static void
+assert_orient (const Site *a, const Site *b, const Site *c)
+{
+  const int sign = judge_orient (a, b, c);
+
+  g_assert_cmpint (orient (a, b, c), ==, sign);
+  g_assert_cmpint (exact_orient (a, b, c), ==, sign);
+  g_assert_cmpint (orient (b, c, a), ==, sign);
+  g_assert_cmpint (orient (b, a, c), ==, -sign);
+}
+
+static void
+assert_lift_orient (const Site plane[3], const Site *d)
+{
+  const Site *a = &plane[0], *b = &plane[1], *c = &plane[2];
+  const int sign = judge_lift_orient (plane, d);
+
+  g_assert_cmpint (lift_orient (a, b, c, d), ==, sign);
+  g_assert_cmpint (exact_lift_orient (a, b, c, d), ==, sign);
+  g_assert_cmpint (lift_orient (c, a, b, d), ==, sign);
+  g_assert_cmpint (lift_orient (b, a, c, d), ==, -sign);
+}
+
+static void
+assert_lift_further (const Site plane[3], const Site *p, const Site *q)
+{
+  const int order = judge_lift_further (plane, p, q);
+
+  g_assert_cmpint (lift_further (plane, p, q), ==, order);
+  g_assert_cmpint (exact_lift_further (plane, p, q), ==, order);
+  g_assert_cmpint (lift_further (plane, q, p), ==, -order);
+}
+
+static void
+assert_all (const Site sites[5])
+{
+  assert_orient (&sites[0], &sites[1], &sites[2]);
+  assert_lift_orient (sites, &sites[3]);
+  assert_lift_further (sites, &sites[3], &sites[4]);
+}
+
+static const Site left_turn[3] = { { 0, 0 }, { 1, 0 }, { 0, 1 } };
+
+static void
+test_sign_of_a_left_turn (void)
+{
+  const Site *t = left_turn;
+
+  g_assert_cmpint (orient (&t[0], &t[1], &t[2]), ==, 1);
+  g_assert_cmpint (orient (&t[0], &t[2], &t[1]), ==, -1);
+  g_assert_cmpint (orient (&t[0], &t[1], &(Site){ -7, 0 }), ==, 0);
+}
+
+static void
+test_upper_facet_is_seen_from_outside_its_circle (void)
+{
+  const Site *t = left_turn;
+
+  g_assert_cmpint (lift_orient (&t[0], &t[1], &t[2], &(Site){ 2, 2 }), ==, 1);
+  g_assert_cmpint (lift_orient (&t[0], &t[1], &t[2], &(Site){ 0.5, 0.5 }), ==,
+                   -1);
+  g_assert_cmpint (lift_orient (&t[0], &t[1], &t[2], &(Site){ 1, 1 }), ==, 0);
+}
+
+static void
+test_furthest_from_a_lower_facet_is_nearest_to_its_centre (void)
+{
+  const Site lower[3] = { { 0, 0 }, { 0, 1 }, { 1, 0 } };
+
+  g_assert_cmpint (
+      lift_further (lower, &(Site){ 0.5, 0.5 }, &(Site){ 0.5, 0.75 }), ==, 1);
+  g_assert_cmpint (
+      lift_further (lower, &(Site){ 0.25, 0.5 }, &(Site){ 0.5, 0.75 }), ==, 0);
+}
+
+static void
+test_facing_is_where_the_normal_points (void)
+{
+  const Site *t = left_turn;
+
+  g_assert_cmpint (facing (&t[0], &t[1], &t[2]), ==, FACING_UPPER);
+  g_assert_cmpint (facing (&t[0], &t[2], &t[1]), ==, FACING_LOWER);
+  g_assert_cmpint (facing (&t[0], &t[1], &(Site){ 3, 0 }), ==, FACING_VERTICAL);
+}
+
+/* @n steps of one ulp away from @from. */
+static double
+ulps (double from, int n)
+{
+  for (; n > 0; n -= 1)
+    from = nextafter (from, (double)INFINITY);
+  return from;
+}
+
+/* Every site of a grid of 64 by 64 ulps around a corner of a slanted
+ * triangle, as in Kettner et al., figure 2. */
+static void
+test_orient_tells_one_ulp_from_a_line (void)
+{
+  const Site q = { 12, 12 }, r = { 24, 24 };
+
+  for (int i = 0; i < 64; i += 1) {
+    for (int j = 0; j < 64; j += 1) {
+      const Site p = { ulps (0.5, i), ulps (0.5, j) };
+
+      assert_orient (&p, &q, &r);
+    }
+  }
+}
+
+static void
+test_lift_orient_tells_one_ulp_from_a_circle (void)
+{
+  const Site plane[3] = { { 17, 0 }, { 8, 15 }, { -15, 8 } };
+
+  for (int i = 0; i < 32; i += 1) {
+    for (int j = 0; j < 32; j += 1) {
+      const Site d = { ulps (7.999999999999986, i), ulps (-15, j) };
+
+      assert_lift_orient (plane, &d);
+    }
+  }
+}
+
+static double
+random_double (GRand *random, int lowest, int highest)
+{
+  const double mantissa = g_rand_double_range (random, 1, 2);
+  const int exponent = g_rand_int_range (random, lowest, highest + 1);
+
+  return ldexp (g_rand_boolean (random) ? mantissa : -mantissa, exponent);
+}
+
+static void
+test_signs_hold_for_every_exponent (void)
+{
+  GRand *random = g_rand_new_with_seed (145);
+
+  for (int i = 0; i < 20000; i += 1) {
+    Site sites[5];
+
+    for (int j = 0; j < 5; j += 1)
+      sites[j] = (Site){ random_double (random, -SITE_RANGE, SITE_RANGE),
+                         random_double (random, -SITE_RANGE, SITE_RANGE) };
+    assert_all (sites);
+  }
+  g_rand_free (random);
+}
+
+/* Sites nearly on one line or circle: small integers times a power of two,
+ * some of them moved by a few ulps. */
+static void
+test_signs_hold_for_near_degenerate_tuples (void)
+{
+  static const Site circle[]
+      = { { 25, 0 },   { 24, 7 },   { 20, 15 }, { 15, 20 },
+          { 7, 24 },   { 0, 25 },   { -7, 24 }, { -15, 20 },
+          { -20, 15 }, { -24, -7 }, { 7, -24 }, { 20, -15 } };
+  GRand *random = g_rand_new_with_seed (1999);
+
+  for (int i = 0; i < 20000; i += 1) {
+    const int exponent = g_rand_int_range (random, -SITE_RANGE, SITE_RANGE - 6);
+    const double shift = g_rand_boolean (random) ? 0 : 1000;
+    Site sites[5];
+
+    for (int j = 0; j < 5; j += 1) {
+      Site s = circle[g_rand_int_range (random, 0, G_N_ELEMENTS (circle))];
+
+      s.x = ulps (s.x + shift, MAX (0, g_rand_int_range (random, -6, 3)));
+      s.y = ulps (s.y - shift, MAX (0, g_rand_int_range (random, -6, 3)));
+      if (fabs (s.x) < 1e-10)
+        s.x = 0;
+      if (fabs (s.y) < 1e-10)
+        s.y = 0;
+      sites[j] = (Site){ ldexp (s.x, exponent), ldexp (s.y, exponent) };
+    }
+    assert_all (sites);
+  }
+  g_rand_free (random);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/predicate/orient-is-positive-for-a-left-turn",
+                   test_sign_of_a_left_turn);
+  g_test_add_func ("/predicate/upper-facet-is-seen-from-outside-its-circle",
+                   test_upper_facet_is_seen_from_outside_its_circle);
+  g_test_add_func (
+      "/predicate/furthest-of-lower-facet-is-nearest-to-its-centre",
+      test_furthest_from_a_lower_facet_is_nearest_to_its_centre);
+  g_test_add_func ("/predicate/facing-is-where-the-normal-points",
+                   test_facing_is_where_the_normal_points);
+  g_test_add_func ("/predicate/orient-tells-one-ulp-from-a-line",
+                   test_orient_tells_one_ulp_from_a_line);
+  g_test_add_func ("/predicate/lift-orient-tells-one-ulp-from-a-circle",
+                   test_lift_orient_tells_one_ulp_from_a_circle);
+  g_test_add_func ("/predicate/signs-hold-for-every-exponent",
+                   test_signs_hold_for_every_exponent);
+  g_test_add_func ("/predicate/signs-hold-for-near-degenerate-tuples",
+                   test_signs_hold_for_near_degenerate_tuples);
+  return g_test_run ();
+}
