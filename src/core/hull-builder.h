@@ -11,7 +11,8 @@ typedef struct HullFacet {
   uint32_t neighbour[3]; /* neighbour[i] lies across site[i], site[i+1] */
   uint32_t outside;      /* head of the outside set, linked by next_outside */
   uint32_t outside_tail;
-  uint32_t seen; /* the round in which it was found visible */
+  uint32_t tested; /* the last round in which a site was tested against it */
+  bool is_visible; /* the outcome of that test */
   bool is_retired;
 } HullFacet;
 

@@ -1,0 +1,318 @@
+#include "delaunay.h"
+
+#include "flat.h"
+#include "memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void
+list_active (Delaunay *delaunay, const Trace *trace, uint32_t base)
+{
+  uint32_t site;
+
+  delaunay->active = memory_new (trace->set->n_sites, sizeof (uint32_t));
+  for (site = 0; site < trace->set->n_sites; site++)
+    if (trace->inserted[site] <= base)
+      delaunay->active[delaunay->n_active++] = site;
+}
+
+/* The shadows of the standing lower facets. Seen from outside, that is from
+ * below, a lower facet turns counter-clockwise, so its shadow turns the other
+ * way.
+ *
+ * Returns: for each facet its triangle, or INDEX_NONE; free with free(). */
+static uint32_t *
+add_triangles (Delaunay *delaunay, const Trace *trace, uint32_t base)
+{
+  uint32_t *triangle_of = memory_new (trace->n_facets, sizeof *triangle_of);
+  uint32_t facet;
+
+  delaunay->triangles = memory_new (2 * (size_t)delaunay->n_active,
+                                    sizeof *delaunay->triangles);
+  for (facet = 0; facet < trace->n_facets; facet++) {
+    const FacetRow *row = &trace->facets[facet];
+    Triangle *triangle;
+
+    triangle_of[facet] = INDEX_NONE;
+    if (row->facing != FACING_LOWER || !span_has (row->span, base))
+      continue;
+    triangle_of[facet] = delaunay->n_triangles;
+    triangle = &delaunay->triangles[delaunay->n_triangles++];
+    *triangle = (Triangle){ { row->site[0], row->site[2], row->site[1] },
+                            { INDEX_NONE, INDEX_NONE, INDEX_NONE },
+                            INDEX_NONE,
+                            facet };
+  }
+  return triangle_of;
+}
+
+static void
+link_triangle (Delaunay *delaunay,
+               uint32_t triangle,
+               uint32_t tail,
+               uint32_t neighbour)
+{
+  Triangle *row = &delaunay->triangles[triangle];
+  uint32_t k = 0;
+
+  while (row->site[k] != tail)
+    k++;
+  row->neighbour[k] = neighbour;
+}
+
+static uint32_t
+opposite_site (const Triangle *triangle, const uint32_t edge[2])
+{
+  uint32_t k = 0;
+
+  while (triangle->site[k] == edge[0] || triangle->site[k] == edge[1])
+    k++;
+  return triangle->site[k];
+}
+
+/* Whether the triangles on both sides of an edge have one circumcircle. */
+static bool
+is_free_edge (const Delaunay *delaunay, const DelaunayEdge *edge)
+{
+  const Site *sites = delaunay->set->sites;
+  const uint32_t *left;
+  uint32_t right;
+
+  if (edge->triangle[1] == INDEX_NONE)
+    return false;
+  left = delaunay->triangles[edge->triangle[0]].site;
+  right = opposite_site (&delaunay->triangles[edge->triangle[1]], edge->site);
+  return lift_orient (&sites[left[0]], &sites[left[1]], &sites[left[2]],
+                      &sites[right])
+         == 0;
+}
+
+static void
+add_edge (Delaunay *delaunay, const uint32_t site[2], const uint32_t side[2])
+{
+  DelaunayEdge *edge = &delaunay->edges[delaunay->n_edges++];
+
+  *edge = (DelaunayEdge){ { site[0], site[1] }, { side[0], side[1] }, false };
+  if (side[0] == INDEX_NONE)
+    return;
+  link_triangle (delaunay, side[0], site[0], side[1]);
+  if (side[1] != INDEX_NONE)
+    link_triangle (delaunay, side[1], site[1], side[0]);
+  edge->is_free = is_free_edge (delaunay, edge);
+}
+
+/* The shadows of the ridges that touch a lower facet. In the plane the shadow
+ * of a ridge's left facet lies to its right. */
+static void
+add_edges (Delaunay *delaunay,
+           const Trace *trace,
+           uint32_t base,
+           const uint32_t *triangle_of)
+{
+  uint32_t ridge;
+
+  delaunay->edges
+      = memory_new (3 * (size_t)delaunay->n_active, sizeof *delaunay->edges);
+  for (ridge = 0; ridge < trace->n_ridges; ridge++) {
+    const RidgeRow *row = &trace->ridges[ridge];
+    uint32_t left, right;
+
+    if (!span_has (row->span, base))
+      continue;
+    left = triangle_of[row->facet[1]];
+    right = triangle_of[row->facet[0]];
+    if (left != INDEX_NONE)
+      add_edge (delaunay, row->site, (uint32_t[2]){ left, right });
+    else if (right != INDEX_NONE)
+      add_edge (delaunay, (uint32_t[2]){ row->site[1], row->site[0] },
+                (uint32_t[2]){ right, INDEX_NONE });
+  }
+}
+
+/* Follows the edges that have a triangle on their left only. */
+static void
+walk_boundary (Delaunay *delaunay)
+{
+  uint32_t *next = memory_new (delaunay->set->n_sites, sizeof *next);
+  uint32_t first = INDEX_NONE;
+  uint32_t i, site;
+
+  for (i = 0; i < delaunay->n_edges; i++) {
+    const DelaunayEdge *edge = &delaunay->edges[i];
+
+    if (edge->triangle[1] != INDEX_NONE)
+      continue;
+    next[edge->site[0]] = edge->site[1];
+    if (edge->site[0] < first)
+      first = edge->site[0];
+  }
+  delaunay->boundary
+      = memory_new (delaunay->n_active, sizeof *delaunay->boundary);
+  site = first;
+  do {
+    delaunay->boundary[delaunay->n_boundary++] = site;
+    site = next[site];
+  } while (site != first && delaunay->n_boundary < delaunay->n_active);
+  free (next);
+}
+
+/* Floods each circle group over its free edges from its first triangle. */
+static void
+number_groups (Delaunay *delaunay)
+{
+  const uint32_t n = delaunay->n_triangles;
+  uint32_t *stack = memory_new (n, sizeof *stack);
+  uint32_t *is_free = memory_new (n, sizeof *is_free); /* bits of its edges */
+  uint32_t i, k;
+
+  for (i = 0; i < delaunay->n_edges; i++) {
+    const DelaunayEdge *edge = &delaunay->edges[i];
+
+    for (k = 0; edge->is_free && k < 6; k++) {
+      const uint32_t triangle = edge->triangle[k / 3];
+
+      if (delaunay->triangles[triangle].neighbour[k % 3]
+          == edge->triangle[1 - k / 3])
+        is_free[triangle] |= 1U << (k % 3);
+    }
+  }
+  for (i = 0; i < n; i++) {
+    uint32_t n_stack = 0;
+
+    if (delaunay->triangles[i].group != INDEX_NONE)
+      continue;
+    delaunay->triangles[i].group = delaunay->n_groups;
+    stack[n_stack++] = i;
+    while (n_stack > 0) {
+      const uint32_t at = stack[--n_stack];
+
+      for (k = 0; k < 3; k++) {
+        const uint32_t to = delaunay->triangles[at].neighbour[k];
+
+        if ((is_free[at] >> k & 1U) == 0
+            || delaunay->triangles[to].group != INDEX_NONE)
+          continue;
+        delaunay->triangles[to].group = delaunay->n_groups;
+        stack[n_stack++] = to;
+      }
+    }
+    delaunay->n_groups += 1;
+  }
+  free (stack);
+  free (is_free);
+}
+
+/* Sites on one circle: their hull, cut into a fan. */
+static void
+add_fan (Delaunay *delaunay)
+{
+  const uint32_t *corner = delaunay->boundary;
+  const uint32_t n = delaunay->n_boundary;
+  uint32_t i;
+
+  delaunay->triangles = memory_new (n, sizeof *delaunay->triangles);
+  delaunay->edges = memory_new (2 * (size_t)n, sizeof *delaunay->edges);
+  for (i = 0; i + 2 < n; i++)
+    delaunay->triangles[i]
+        = (Triangle){ { corner[0], corner[i + 1], corner[i + 2] },
+                      { INDEX_NONE, INDEX_NONE, INDEX_NONE },
+                      INDEX_NONE,
+                      i };
+  delaunay->n_triangles = n - 2;
+  for (i = 0; i < n; i++) {
+    const uint32_t triangle = i == 0 ? 0 : (i == n - 1 ? n - 3 : i - 1);
+
+    add_edge (delaunay, (uint32_t[2]){ corner[i], corner[(i + 1) % n] },
+              (uint32_t[2]){ triangle, INDEX_NONE });
+  }
+  for (i = 0; i + 3 < n; i++)
+    add_edge (delaunay, (uint32_t[2]){ corner[0], corner[i + 2] },
+              (uint32_t[2]){ i + 1, i });
+}
+
+static void
+add_segments (Delaunay *delaunay)
+{
+  const uint32_t none[2] = { INDEX_NONE, INDEX_NONE };
+  uint32_t i;
+
+  delaunay->edges = memory_new (delaunay->n_active, sizeof *delaunay->edges);
+  for (i = 0; i + 1 < delaunay->n_boundary; i++)
+    add_edge (delaunay, &delaunay->boundary[i], none);
+}
+
+static void
+init_flat (Delaunay *delaunay)
+{
+  const uint32_t n = delaunay->n_active;
+
+  delaunay->boundary = memory_new (n, sizeof *delaunay->boundary);
+  memcpy (delaunay->boundary, delaunay->active, n * sizeof *delaunay->boundary);
+  delaunay->n_boundary = n;
+  delaunay->dimension = flat_sort (delaunay->set, delaunay->boundary, n);
+  delaunay->lift_dimension = n > 3 ? 2 : (int)n - 1;
+  if (delaunay->dimension == 2)
+    add_fan (delaunay);
+  else
+    add_segments (delaunay);
+}
+
+static void
+init_hull (Delaunay *delaunay, const Trace *trace, uint32_t base)
+{
+  uint32_t *triangle_of = add_triangles (delaunay, trace, base);
+
+  delaunay->dimension = 2;
+  delaunay->lift_dimension = 3;
+  add_edges (delaunay, trace, base, triangle_of);
+  walk_boundary (delaunay);
+  free (triangle_of);
+}
+
+bool
+delaunay_is_extreme (const Delaunay *delaunay, uint32_t index)
+{
+  const Site *sites = delaunay->set->sites;
+  const uint32_t n = delaunay->n_boundary;
+  const uint32_t *site = delaunay->boundary;
+
+  if (delaunay->dimension < 2)
+    return index == 0 || index == n - 1;
+  return orient (&sites[site[(index + n - 1) % n]], &sites[site[index]],
+                 &sites[site[(index + 1) % n]])
+         != 0;
+}
+
+void
+delaunay_init (Delaunay *delaunay, const Trace *trace, uint32_t step)
+{
+  const uint32_t base = trace_base (trace, step);
+  uint32_t i;
+
+  memset (delaunay, 0, sizeof *delaunay);
+  delaunay->set = trace->set;
+  delaunay->dimension = -1;
+  delaunay->lift_dimension = -1;
+  if (step < trace->simplex_end)
+    return;
+
+  list_active (delaunay, trace, base);
+  if (trace->is_flat)
+    init_flat (delaunay);
+  else
+    init_hull (delaunay, trace, base);
+  number_groups (delaunay);
+  for (i = 0; i < delaunay->n_boundary; i++)
+    delaunay->n_extreme += delaunay_is_extreme (delaunay, i);
+}
+
+void
+delaunay_clear (Delaunay *delaunay)
+{
+  free (delaunay->active);
+  free (delaunay->triangles);
+  free (delaunay->edges);
+  free (delaunay->boundary);
+  memset (delaunay, 0, sizeof *delaunay);
+}

@@ -1,0 +1,25 @@
+/* The hook that turns events into a trace. It believes no event: one that is
+ * not legal at its place is refused, so that a trace file can be read through
+ * it too. */
+#ifndef TRACE_RECORDER_H
+#define TRACE_RECORDER_H
+
+#include "trace.h"
+
+typedef struct TraceRecorder TraceRecorder;
+
+TraceRecorder *trace_recorder_new (const SiteSet *set, const Order *order);
+
+/* Returns: NULL, or why the event cannot come here. */
+const char *trace_recorder_add (TraceRecorder *recorder, const Event *event);
+
+/* For HullHook: the event must be legal. */
+void trace_recorder_hook (const Event *event, void *recorder);
+
+/* Ends the recorder.
+ *
+ * Returns: the trace, for the caller to free; NULL when the last event was
+ *          not COMPLETE. */
+Trace *trace_recorder_finish (TraceRecorder *recorder);
+
+#endif
