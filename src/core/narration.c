@@ -200,8 +200,7 @@ static const char *
 complete_template (const Trace *trace)
 {
   if (trace->is_flat)
-    return N_ ("That is all: with no simplex there is no hull in space, but "
-               "the diagrams in the plane are complete.");
+    return flat_template (trace->set);
   return N_ ("No outside set is left: the hull is complete, and its {n} lower "
              "facets are the Delaunay triangulation.");
 }
