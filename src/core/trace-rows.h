@@ -1,0 +1,50 @@
+/* The rows of a trace: births, deaths and the links between them that only
+ * their recorder needs. Private to trace-recorder.c. */
+#ifndef TRACE_ROWS_H
+#define TRACE_ROWS_H
+
+#include "trace.h"
+
+/* What a facet's birth, its neighbours and its end need to know of it. */
+typedef struct FacetLinks {
+  uint32_t ridge[3];   /* rows of the pairs across its three edges */
+  uint32_t last_claim; /* head of its claims, linked by previous_claim */
+} FacetLinks;
+
+typedef struct TraceRows {
+  Trace *trace;
+  FacetLinks *links;        /* per facet */
+  uint32_t *previous_claim; /* per claim: the facet's claim before it */
+  uint32_t *claim_of;       /* per site: its standing claim, or INDEX_NONE */
+  uint32_t facets_room, links_room, ridges_room, claims_room, claim_links_room;
+} TraceRows;
+
+void trace_rows_init (TraceRows *rows, const SiteSet *set, const Order *order);
+
+/* Frees all but the trace. */
+void trace_rows_clear (TraceRows *rows);
+
+/* The step after the event in hand, which is added to the list last. */
+uint32_t trace_rows_step (const TraceRows *rows);
+
+void trace_rows_add_facet (TraceRows *rows, const Event *event);
+
+/* Returns: the index of the edge tail → head in a facet, or 3. */
+uint32_t trace_rows_edge (const TraceRows *rows,
+                          uint32_t facet,
+                          uint32_t tail,
+                          uint32_t head);
+
+/* Joins edge @k of @left to @right, which has the same edge the other way. */
+void trace_rows_add_ridge (TraceRows *rows,
+                           uint32_t left,
+                           uint32_t k,
+                           uint32_t right);
+
+void trace_rows_add_claim (TraceRows *rows, uint32_t site, uint32_t facet);
+void trace_rows_end_claim (TraceRows *rows, uint32_t claim);
+
+/* Ends a facet, its ridges and its claims. */
+void trace_rows_end_facet (TraceRows *rows, uint32_t facet);
+
+#endif
