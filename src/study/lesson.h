@@ -13,14 +13,23 @@
 
 G_BEGIN_DECLS
 
-#define LESSON_FORMAT 1
+#define LESSON_FORMAT 1 /* the newest that this program knows */
+
+/* Limits. What goes beyond is refused with its line. */
+#define LESSON_MAX_BYTES (4 << 20)
+#define LESSON_MAX_LINE (64 << 10)
+#define LESSON_MAX_COMMANDS 100000
+#define LESSON_MAX_SITES 20000 /* of all the sets it makes, together */
+
+/* What a session is at a stop: sites, step, look. Opaque; see stop-state.h. */
+typedef struct StopState StopState;
 
 /* One line of a steps block: a verb of the action registry, or expect. */
 typedef struct LessonCommand {
-  guint line; /* in the file, from 1 */
-  char *text; /* the line, trimmed */
-  char *verb;
-  GVariant *parameter; /* NULL: none */
+  guint line;          /* in the file, from 1 */
+  char *text;          /* the line, trimmed */
+  char *verb;          /* name of the action, or "expect" */
+  GVariant *parameter; /* NULL: none; of expect: the rest of the line */
 } LessonCommand;
 
 typedef struct LessonStop {
@@ -29,7 +38,8 @@ typedef struct LessonStop {
   char *prose;         /* CommonMark of what the student reads */
   char *note;          /* CommonMark of the lecturer's notes, or NULL */
   GPtrArray *commands; /* of LessonCommand */
-  guint step;          /* where its commands lead, known once checked */
+  guint step;          /* where its commands lead */
+  StopState *state;
 } LessonStop;
 
 typedef struct Lesson {
@@ -37,9 +47,11 @@ typedef struct Lesson {
   char *path; /* as it was opened, for messages */
   char *title;
   char *prose; /* between title and first stop, CommonMark */
-  Site *sites;
+  char *note;  /* lecturer's notes before the first stop, or NULL */
+  Site *sites; /* at its start */
   guint n_sites;
-  GPtrArray *stops; /* of LessonStop */
+  GPtrArray *stops; /* of LessonStop, at least one */
+  StopState *start; /* before the first stop's commands */
 } Lesson;
 
 #define LESSON_ERROR (lesson_error_quark ())
@@ -47,7 +59,7 @@ GQuark lesson_error_quark (void);
 typedef enum LessonError {
   LESSON_ERROR_CANNOT_OPEN,
   LESSON_ERROR_BROKEN, /* the message is FILE:LINE:COL: reason */
-  LESSON_ERROR_SITES,  /* a sites file was refused */
+  LESSON_ERROR_SITES,  /* a sites file was refused: its FILE:LINE: reason */
 } LessonError;
 
 /* Reads and checks a lesson; positions are checked by playing it once.
@@ -59,6 +71,9 @@ lesson_parse (const char *text, gsize length, const char *path, GError **error);
 Lesson *lesson_ref (Lesson *lesson);
 void lesson_unref (Lesson *lesson);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (Lesson, lesson_unref)
+
+/* Returns: stop @index. */
+const LessonStop *lesson_stop (const Lesson *lesson, guint index);
 
 G_END_DECLS
 

@@ -6,6 +6,8 @@
  *
  * An edit makes a new SiteSet and a new trace; the step stays at the same
  * place of the timeline where that place still exists.
+ *
+ * What a getter returns is borrowed, and good until the next change.
  */
 #ifndef SESSION_H
 #define SESSION_H
@@ -34,18 +36,33 @@ typedef enum StepSize {
   STEP_EVENT,
 } StepSize;
 
+#define N_STEP_SIZES (STEP_EVENT + 1)
+
+const char *step_size_name (StepSize size); /* "beat", "phase", "event" */
+gboolean step_size_parse (const char *name, StepSize *size);
+
 #define SESSION_TYPE (session_get_type ())
 G_DECLARE_FINAL_TYPE (Session, session, HULL2VD, SESSION, GObject)
 
 Session *session_new (void);
 
-/* Sites. All edits can be undone and redone. */
+#define SESSION_ERROR (session_error_quark ())
+GQuark session_error_quark (void);
+typedef enum SessionError {
+  SESSION_ERROR_SITE,  /* there is no such site */
+  SESSION_ERROR_RANGE, /* no exact scaling fits the coordinates */
+} SessionError;
+
+/* Sites. All edits can be undone and redone. Coordinates are those that are
+ * given, not SiteSet.sites, which may be scaled by a power of two. */
 const SiteSet *session_get_set (Session *session);
 const Trace *session_get_trace (Session *session);
+
+/* Replaces all sites, fits the views and goes to the last step. */
 gboolean session_set_sites (Session *session,
                             const Site *sites,
                             guint n_sites,
-                            GError **error); /* and fits the extent */
+                            GError **error);
 gboolean session_add_site (Session *session, Site site, GError **error);
 gboolean
 session_move_site (Session *session, guint site, Site to, GError **error);
@@ -57,15 +74,25 @@ void session_end_edit (Session *session);
 
 gboolean session_undo (Session *session);
 gboolean session_redo (Session *session);
-const char *session_get_undo_label (Session *session); /* NULL: nothing */
+
+/* Returns: "Undo move of s3", translated, or NULL: nothing to undo. */
+const char *session_get_undo_label (Session *session);
 const char *session_get_redo_label (Session *session);
 
-/* Returns: @site moved to the snap grid: coordinates with few digits, on one
- *          power-of-two grid that is fine enough for the extent. */
-Site session_snap (Session *session, Site site);
+/* Puts a point of the plane, as scene_site() gives it, on the snap grid:
+ * coordinates with few digits, on a power-of-two grid that is fine enough for
+ * the extent and the zoom.
+ *
+ * Returns: the grid point, as a coordinate for session_add_site() and
+ *          session_move_site(). */
+Site session_snap (Session *session, Site point);
+
+/* Returns: the distance of neighbours on the snap grid, as given. */
+double session_get_grid (Session *session);
 
 /* Time. */
 guint session_get_step (Session *session);
+guint session_get_n_steps (Session *session); /* the last step */
 void session_set_step (Session *session, guint step);
 const Frame *session_get_frame (Session *session);
 Place session_get_place (Session *session);
@@ -78,16 +105,24 @@ void session_set_step_size (Session *session, StepSize size);
 gboolean session_next (Session *session);
 gboolean session_back (Session *session);
 
+/* The very start and end; in a lesson, with its first and last stop. */
+void session_first (Session *session);
+void session_last (Session *session);
+
 /* Playing is next, again and again; the window's clock calls
- * session_tick(). */
+ * session_tick(). Starting at the end begins anew. */
 gboolean session_get_playing (Session *session);
 void session_set_playing (Session *session, gboolean playing);
-double session_get_speed (Session *session); /* 1: one step in 1.5 s */
+double session_get_speed (Session *session); /* 1: a phase in 1.5 s */
 void session_set_speed (Session *session, double speed);
-guint session_get_tick_ms (Session *session);
-void session_tick (Session *session); /* stops playing at the end */
+guint session_get_tick_ms (Session *session); /* until the next tick */
+void session_tick (Session *session);         /* stops playing at the end */
 
-/* The look. */
+#define SPEED_LEAST 0.25
+#define SPEED_MOST 8.0
+
+/* The look. Its extent is kept while sites are moved, and while they are
+ * added inside it; session_fit() and new sites fit it. */
 const SceneLook *session_get_look (Session *session);
 void session_set_layers (Session *session, guint layers);
 void session_set_focus (Session *session, Focus focus);
@@ -98,17 +133,30 @@ void session_set_camera (Session *session, const Camera *camera);
 const PlaneCamera *session_get_plane_camera (Session *session);
 void session_set_plane_camera (Session *session, const PlaneCamera *camera);
 
-/* The lesson. A stop's state is that of the lesson played from its start,
- * whichever way the stop was reached. */
-void session_set_lesson (Session *session, Lesson *lesson);
-Lesson *session_get_lesson (Session *session); /* NULL: none */
-guint session_get_stop (Session *session);     /* index; 0 the first */
+/* Fits both views to the sites; the turn of the space view is kept. */
+void session_fit (Session *session);
+
+/* The lesson. A stop's sites, step, layers, focus and selection are those of
+ * the lesson played from its start, whichever way the stop was reached; a
+ * camera that a person has turned is kept until the lesson turns it.
+ *
+ * While the sites are the lesson's, the stop follows the step: stepping or
+ * scrubbing past a stop enters it. */
+void session_set_lesson (Session *session, Lesson *lesson); /* or NULL */
+Lesson *session_get_lesson (Session *session);              /* NULL: none */
+guint session_get_n_stops (Session *session);               /* 0: no lesson */
+guint session_get_stop (Session *session); /* index; 0 the first */
 gboolean session_set_stop (Session *session, guint stop);
 
-/* Carries out the commands of one stop and checks its expectations; replay
- * is this for every stop.
+/* Returns: FALSE when @stop stands on other sites than those shown; else
+ *          TRUE with its step, for a mark on the timeline. */
+gboolean session_get_stop_step (Session *session, guint stop, guint *step);
+
+/* Carries out the commands of one stop, from the state of the stop before
+ * it, and checks its expectations; replay is this for every stop.
  *
- * Returns: FALSE with @error set when a position does not exist. */
+ * Returns: FALSE with @error set (FILE:LINE: reason) when a command cannot
+ *          be carried out. */
 typedef void (*SessionExpect) (const LessonCommand *command,
                                gboolean holds,
                                const char *actual,

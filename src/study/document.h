@@ -1,0 +1,58 @@
+/* Documents: files of points and lessons, opened into a session and saved
+ * from it. */
+#ifndef DOCUMENT_H
+#define DOCUMENT_H
+
+#include "session.h"
+
+G_BEGIN_DECLS
+
+#define DOCUMENT_ERROR (document_error_quark ())
+GQuark document_error_quark (void);
+typedef enum DocumentError {
+  DOCUMENT_ERROR_CANNOT_OPEN,
+  DOCUMENT_ERROR_REFUSED, /* the message is FILE:LINE: reason */
+  DOCUMENT_ERROR_CANNOT_WRITE,
+} DocumentError;
+
+/* Returns: whether @path is a lesson by its name: it ends in .md. */
+gboolean document_is_lesson (const char *path);
+
+/* Opens a lesson or a points file; "-" is points on the standard input. A
+ * lesson stands at its first stop, points at their last step.
+ *
+ * Errors: DOCUMENT_ERROR or LESSON_ERROR; then the session is unchanged. */
+gboolean document_open (Session *session, const char *path, GError **error);
+
+/* Reads points, from the clipboard too; @name is for messages. */
+SiteSet *document_parse_points (const char *text,
+                                gsize length,
+                                const char *name,
+                                GError **error);
+
+/* Returns: (transfer full): the points of a file, free with
+ *          site_set_free(), or NULL with @error set. */
+SiteSet *document_read_points (const char *path, GError **error);
+
+/* Replaces the session's sites by points from the clipboard. */
+gboolean document_paste (Session *session, const char *text, GError **error);
+
+/* Returns: (transfer full): the sites as the text of a points file. */
+char *document_copy (Session *session);
+
+/* Saves the sites as a points file, whole or not at all. */
+gboolean document_save (Session *session, const char *path, GError **error);
+
+/* Puts @length bytes at @path whole or not at all: a temporary file in the
+ * same folder takes its place. A symbolic link is followed, the mode of an
+ * existing file kept; what is not a regular file is written to.
+ *
+ * Errors: DOCUMENT_ERROR_CANNOT_WRITE. */
+gboolean document_write (const char *path,
+                         const char *bytes,
+                         gsize length,
+                         GError **error);
+
+G_END_DECLS
+
+#endif
