@@ -14,7 +14,16 @@ struct TraceRecorder {
   uint32_t n_visible, n_retired, n_cone; /* of the round in hand */
   EventKind last;                        /* kind of the last event */
   bool has_begun;
+  uint32_t n_duplicates, last_duplicate;
 };
+
+static bool
+has_all_duplicates (const TraceRecorder *r)
+{
+  const SiteSet *set = r->rows.trace->set;
+
+  return r->n_duplicates == set->n_sites - set->n_distinct;
+}
 
 TraceRecorder *
 trace_recorder_new (const SiteSet *set, const Order *order)
@@ -53,6 +62,9 @@ add_duplicate (TraceRecorder *r, const Event *event)
   if (event->site >= r->rows.trace->set->n_sites
       || is_distinct (r, event->site))
     return "the site equals no earlier one";
+  if (r->n_duplicates++ > 0 && event->site <= r->last_duplicate)
+    return "duplicates come in order";
+  r->last_duplicate = event->site;
   return NULL;
 }
 
@@ -63,9 +75,12 @@ add_flat (TraceRecorder *r)
 
   if (r->has_begun && r->last != EVENT_DUPLICATE)
     return "flat comes too late";
+  if (!has_all_duplicates (r))
+    return "a duplicate is missing";
   for (site = 0; site < r->rows.trace->set->n_sites; site++)
     if (is_distinct (r, site))
       r->rows.trace->inserted[site] = trace_rows_step (&r->rows);
+  r->rows.n_free = 0;
   r->rows.trace->is_flat = true;
   r->rows.trace->simplex_end = trace_rows_step (&r->rows);
   r->rows.trace->start_end = trace_rows_step (&r->rows);
@@ -102,6 +117,8 @@ add_simplex (TraceRecorder *r, const Event *event)
 
   if (r->has_begun && r->last != EVENT_DUPLICATE && r->last != EVENT_SIMPLEX)
     return "a simplex facet comes too late";
+  if (!has_all_duplicates (r))
+    return "a duplicate is missing";
   if (trace->n_facets == 4)
     return "a simplex has four facets";
   if (event->facet != trace->n_facets)
@@ -117,6 +134,7 @@ add_simplex (TraceRecorder *r, const Event *event)
   for (i = 0; i < 12; i++)
     trace->inserted[trace->facets[i / 3].site[i % 3]]
         = trace_rows_step (&r->rows);
+  r->rows.n_free -= 4;
   trace->simplex_end = trace_rows_step (&r->rows);
   trace->start_end = trace_rows_step (&r->rows);
   return NULL;
@@ -152,12 +170,15 @@ add_select (TraceRecorder *r, const Event *event)
 
   if (r->last != EVENT_CLAIM && r->last != EVENT_RETIRE)
     return "a round begins at a wrong place";
+  if (r->rows.n_free > 0)
+    return "a waiting site is in no outside set";
   if (!is_standing (r, event->facet) || !is_distinct (r, event->site))
     return "no such facet or site";
   claim = r->rows.claim_of[event->site];
   if (claim == INDEX_NONE || trace->claims[claim].facet != event->facet)
     return "the site is not in the facet's outside set";
   trace_rows_end_claim (&r->rows, claim);
+  r->rows.n_free -= 1; /* it goes on the hull */
 
   if (trace->n_rounds == r->rounds_room)
     trace->rounds = memory_grow (trace->rounds, &r->rounds_room,
@@ -287,12 +308,16 @@ add_retire (TraceRecorder *r, const Event *event)
 static const char *
 add_complete (TraceRecorder *r)
 {
+  uint32_t i;
   const bool is_start = r->last == EVENT_FLAT || r->last == EVENT_SIMPLEX;
 
   if (!is_start && r->last != EVENT_CLAIM && r->last != EVENT_RETIRE)
     return "complete comes at a wrong place";
   if (!r->rows.trace->is_flat && r->rows.trace->n_facets < 4)
     return "the simplex is not complete";
+  for (i = 0; i < r->rows.trace->set->n_sites; i++)
+    if (is_distinct (r, i) && r->rows.trace->inserted[i] == STEP_NEVER)
+      return "a site is not on the hull";
   return NULL;
 }
 

@@ -15,6 +15,7 @@ trace_rows_init (TraceRows *rows, const SiteSet *set, const Order *order)
   rows->trace->order = *order;
   rows->trace->inserted = memory_new (set->n_sites, sizeof (uint32_t));
   rows->claim_of = memory_new (set->n_sites, sizeof (uint32_t));
+  rows->n_free = set->n_distinct;
   for (site = 0; site < set->n_sites; site++) {
     rows->trace->inserted[site] = STEP_NEVER;
     rows->claim_of[site] = INDEX_NONE;
@@ -116,6 +117,7 @@ trace_rows_add_claim (TraceRows *rows, uint32_t site, uint32_t facet)
   rows->previous_claim[claim] = rows->links[facet].last_claim;
   rows->links[facet].last_claim = claim;
   rows->claim_of[site] = claim;
+  rows->n_free -= 1;
 }
 
 void
@@ -125,6 +127,7 @@ trace_rows_end_claim (TraceRows *rows, uint32_t claim)
 
   row->span.death = trace_rows_step (rows);
   rows->claim_of[row->site] = INDEX_NONE;
+  rows->n_free += 1;
 }
 
 void

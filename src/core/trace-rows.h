@@ -16,6 +16,7 @@ typedef struct TraceRows {
   FacetLinks *links;        /* per facet */
   uint32_t *previous_claim; /* per claim: the facet's claim before it */
   uint32_t *claim_of;       /* per site: its standing claim, or INDEX_NONE */
+  uint32_t n_free;          /* distinct sites neither on the hull nor claimed */
   uint32_t facets_room, links_room, ridges_room, claims_room, claim_links_room;
 } TraceRows;
 

@@ -1,0 +1,188 @@
+/* The recorder: what it keeps, and what it refuses. */
+#include "fixture.h"
+#include "pseudocode.h"
+#include "trace-recorder.h"
+
+#include <string.h>
+
+static void
+check_spans (const Fixture *fixture)
+{
+  const Trace *trace = fixture->trace;
+  uint32_t i;
+
+  for (i = 0; i < trace->n_facets; i++) {
+    const FacetRow *row = &trace->facets[i];
+
+    g_assert_cmpuint (row->span.birth, <, row->span.death);
+    g_assert_cmpuint (row->span.death == STEP_NEVER, ==,
+                      row->seen == STEP_NEVER);
+    if (row->seen != STEP_NEVER) {
+      g_assert_cmpuint (row->span.birth, <, row->seen);
+      g_assert_cmpuint (row->seen, <, row->span.death);
+    }
+  }
+  for (i = 0; i < trace->n_claims; i++)
+    g_assert_cmpuint (trace->claims[i].span.death, !=, STEP_NEVER);
+}
+
+static void
+test_only_seen_facets_die (void)
+{
+  fixture_for_each (3, 20, ORDER_FURTHEST, check_spans);
+}
+
+/* At the end of every round each standing facet has just three standing
+ * pairs, each with its own edge. */
+static void
+check_ridges (const Fixture *fixture)
+{
+  const Trace *trace = fixture->trace;
+
+  for (uint32_t i = 0; i < trace->n_rounds; i++) {
+    const uint32_t step = trace->rounds[i].end;
+    g_autofree guint *n_ridges = g_new0 (guint, trace->n_facets);
+    uint32_t k;
+
+    for (k = 0; k < trace->n_ridges; k++)
+      if (span_has (trace->ridges[k].span, step)) {
+        n_ridges[trace->ridges[k].facet[0]] += 1;
+        n_ridges[trace->ridges[k].facet[1]] += 1;
+      }
+    for (k = 0; k < trace->n_facets; k++)
+      g_assert_cmpuint (n_ridges[k], ==,
+                        span_has (trace->facets[k].span, step) ? 3 : 0);
+  }
+}
+
+static void
+test_every_standing_facet_has_three_neighbours (void)
+{
+  fixture_for_each (3, 20, ORDER_FURTHEST, check_ridges);
+}
+
+static void
+test_events_fed_again_give_the_same_trace (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("mixed8", ORDER_FURTHEST);
+  const Trace *trace = fixture->trace;
+  TraceRecorder *recorder = trace_recorder_new (fixture->set, &trace->order);
+  Trace *copy;
+
+  for (uint32_t i = 0; i < trace->n_events; i++)
+    g_assert_null (trace_recorder_add (recorder, &trace->events[i]));
+  copy = trace_recorder_finish (recorder);
+  g_assert_nonnull (copy);
+  g_assert_cmpmem (copy->facets, copy->n_facets * sizeof *copy->facets,
+                   trace->facets, trace->n_facets * sizeof *trace->facets);
+  g_assert_cmpmem (copy->ridges, copy->n_ridges * sizeof *copy->ridges,
+                   trace->ridges, trace->n_ridges * sizeof *trace->ridges);
+  g_assert_cmpmem (copy->claims, copy->n_claims * sizeof *copy->claims,
+                   trace->claims, trace->n_claims * sizeof *trace->claims);
+  g_assert_cmpmem (copy->rounds, copy->n_rounds * sizeof *copy->rounds,
+                   trace->rounds, trace->n_rounds * sizeof *trace->rounds);
+  trace_free (copy);
+}
+
+/* Feeds a trace with one event left out or doubled: every such trace breaks
+ * a rule, at that event or later. */
+static gboolean
+is_accepted (const Fixture *fixture, uint32_t at, uint32_t n_times)
+{
+  const Trace *trace = fixture->trace;
+  TraceRecorder *recorder = trace_recorder_new (fixture->set, &trace->order);
+  const char *why = NULL;
+  Trace *copy;
+  gboolean is_whole;
+
+  for (uint32_t i = 0; i < trace->n_events && why == NULL; i++)
+    for (uint32_t k = 0; k < (i == at ? n_times : 1) && why == NULL; k++)
+      why = trace_recorder_add (recorder, &trace->events[i]);
+  copy = trace_recorder_finish (recorder);
+  is_whole = why == NULL && copy != NULL;
+  trace_free (copy);
+  return is_whole;
+}
+
+static void
+test_event_left_out_or_doubled_is_refused (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("grid9", ORDER_FURTHEST);
+  const Trace *trace = fixture->trace;
+
+  g_assert_true (is_accepted (fixture, 0, 1));
+  for (uint32_t i = 0; i < trace->n_events; i++) {
+    g_assert_false (is_accepted (fixture, i, 2));
+    g_assert_false (is_accepted (fixture, i, 0));
+  }
+}
+
+static void
+test_numbers_out_of_range_are_refused (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("mixed8", ORDER_FURTHEST);
+  const Trace *trace = fixture->trace;
+  const uint32_t wrong[] = { 9999, INDEX_NONE };
+
+  for (uint32_t i = 0; i < trace->n_events; i++)
+    for (guint k = 0; k < 2; k++) {
+      TraceRecorder *recorder
+          = trace_recorder_new (fixture->set, &trace->order);
+      Event event = trace->events[i];
+
+      for (uint32_t before = 0; before < i; before++)
+        g_assert_null (trace_recorder_add (recorder, &trace->events[before]));
+      if (event.kind != EVENT_COMPLETE) {
+        event.facet = wrong[k];
+        g_assert_nonnull (trace_recorder_add (recorder, &event));
+      }
+      trace_free (trace_recorder_finish (recorder));
+    }
+}
+
+static void
+test_pseudocode_line_belongs_to_the_event (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
+  const Trace *trace = fixture->trace;
+  const char *word[N_EVENT_KINDS] = {
+    [EVENT_SIMPLEX] = "simplex",   [EVENT_SELECT] = "furthest",
+    [EVENT_VISIBLE] = "sees",      [EVENT_HORIZON] = "horizon",
+    [EVENT_CONE] = "cone",         [EVENT_RETIRE] = "retire",
+    [EVENT_COMPLETE] = "Delaunay",
+  };
+  uint32_t n_lines;
+  const PseudocodeLine *lines = pseudocode_lines (&n_lines);
+
+  g_assert_cmpuint (pseudocode_line (trace, 0), ==, INDEX_NONE);
+  for (uint32_t step = 1; step <= trace->n_events; step++) {
+    const EventKind kind = trace->events[step - 1].kind;
+    const uint32_t line = pseudocode_line (trace, step);
+
+    g_assert_cmpuint (line, <, n_lines);
+    if (word[kind] != NULL)
+      g_assert_nonnull (strstr (lines[line].text, word[kind]));
+    if (kind == EVENT_CLAIM)
+      g_assert_nonnull (strstr (lines[line].text,
+                                step <= trace->start_end ? "give" : "hand"));
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/trace/only-seen-facets-die-and-all-claims-end",
+                   test_only_seen_facets_die);
+  g_test_add_func ("/trace/every-standing-facet-has-three-neighbours",
+                   test_every_standing_facet_has_three_neighbours);
+  g_test_add_func ("/trace/events-fed-again-give-the-same-trace",
+                   test_events_fed_again_give_the_same_trace);
+  g_test_add_func ("/trace/an-event-left-out-or-doubled-is-refused",
+                   test_event_left_out_or_doubled_is_refused);
+  g_test_add_func ("/trace/numbers-out-of-range-are-refused",
+                   test_numbers_out_of_range_are_refused);
+  g_test_add_func ("/pseudocode/the-marked-line-belongs-to-the-event",
+                   test_pseudocode_line_belongs_to_the_event);
+  return g_test_run ();
+}
