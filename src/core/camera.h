@@ -2,6 +2,13 @@
  *
  * A Projection is all that a painter and a picker know of a camera; the plane
  * view has one too, so that both views are painted and picked by one code.
+ *
+ *   PlaneCamera camera;
+ *   Projection projection;
+ *
+ *   plane_camera_init (&camera);
+ *   projection = plane_camera_projection (&camera, 400, 400);
+ *   projection_apply (&projection, (Point3){ 0, 0, 0 }); is { 200, 200, 0 }
  */
 #ifndef CAMERA_H
 #define CAMERA_H
@@ -21,21 +28,22 @@ typedef struct Quaternion {
 typedef struct Camera {
   Quaternion turn; /* scene axes to eye axes (x right, y up, z to the eye) */
   Point3 centre;   /* the scene point in the middle of the view */
-  double zoom;     /* 1: the scene fills the view */
-  double pan_x, pan_y; /* in half view heights */
+  double zoom;     /* 1: the scene fills the view; parallel: as the plane
+                      view at zoom 1 */
+  double pan_x, pan_y; /* in half view heights, right and up */
   bool is_parallel;    /* no perspective */
 } Camera;
 
 /* The look at the plane. */
 typedef struct PlaneCamera {
   double centre_x, centre_y; /* scene units */
-  double zoom;               /* 1: the unit square fills the view */
+  double zoom;               /* 1: the square -1 … 1 fills the view */
 } PlaneCamera;
 
 typedef struct Projection {
   double matrix[16];    /* column-major: scene → clip coordinates */
   Point3 eye;           /* scene units; at infinity when is_parallel */
-  bool is_parallel;     /* then eye is the direction to the eye */
+  bool is_parallel;     /* then eye is the direction to the eye, length 1 */
   double width, height; /* of the view, px */
 } Projection;
 
@@ -44,10 +52,13 @@ typedef enum CameraPreset {
   CAMERA_LOOK_UP,   /* from below along z, parallel: the lower facets lie over
                        their shadows, mirrored left-right */
   CAMERA_LOOK_DOWN, /* from above along z, parallel */
-  CAMERA_SIDE,      /* level with the plane */
+  CAMERA_SIDE,      /* level with the plane, parallel */
 } CameraPreset;
 
 #define N_CAMERA_PRESETS (CAMERA_SIDE + 1)
+
+/* Half the side of the square of the plane that space shows, scene units. */
+#define CAMERA_GROUND 1.16
 
 const char *camera_preset_name (CameraPreset preset); /* "look-up" … */
 bool camera_preset_parse (const char *name, CameraPreset *preset);
@@ -56,6 +67,9 @@ void camera_init (Camera *camera, CameraPreset preset);
 void plane_camera_init (PlaneCamera *camera);
 
 /* Turns as if a ball filling the view were rolled from one pixel to another.
+ *
+ * Source: Shoemake 1992, Arcball; Holroyd's sheet of a hyperbola outside the
+ *         ball, so that no pixel is beyond it.
  */
 void camera_roll (Camera *camera,
                   const double from_px[2],
@@ -68,10 +82,37 @@ Projection plane_camera_projection (const PlaneCamera *camera,
                                     double width,
                                     double height);
 
-/* Returns: pixel coordinates, y down; z grows away from the eye. */
+/* Zooms by @factor so that the scene point under a pixel stays there. */
+void plane_camera_zoom (PlaneCamera *camera,
+                        double factor,
+                        const double at_px[2],
+                        const double size_px[2]);
+void camera_zoom (Camera *camera,
+                  double factor,
+                  const double at_px[2],
+                  const double size_px[2]);
+
+/* Moves the picture by so many pixels, right and down. */
+void plane_camera_pan (PlaneCamera *camera,
+                       const double by_px[2],
+                       const double size_px[2]);
+void
+camera_pan (Camera *camera, const double by_px[2], const double size_px[2]);
+
+/* Returns: pixel coordinates, y down; z grows away from the eye, -1 … 1 for
+ *          all that lies near the scene. Of no use for points behind the
+ *          eye: clip.h leaves those out. */
 Point3 projection_apply (const Projection *projection, Point3 point);
+
+/* Homogeneous clip coordinates x, y, z, w; w > 0 before the eye. */
+void projection_clip_coordinates (const Projection *projection,
+                                  Point3 point,
+                                  double clip[4]);
 
 /* Returns: the point of the plane z = 0 under a pixel. Plane view only. */
 Point3 projection_unapply (const Projection *projection, double x, double y);
+
+/* Returns: the direction from @point to the eye, length 1. */
+Point3 projection_to_eye (const Projection *projection, Point3 point);
 
 #endif

@@ -6,6 +6,13 @@
  * for the extent (cx, cy), r, so that the sites fill the square -1 … 1; its
  * lift stands at (u, v, raise + u² + v²). Moving and scaling the plane only
  * shears the paraboloid: facets stay the same.
+ *
+ *   Scene scene = { 0 };
+ *
+ *   scene_look_init (&look, frame);
+ *   scene_space (&scene, frame, &look);
+ *   … scene.items[i] …
+ *   scene_clear (&scene);
  */
 #ifndef SCENE_H
 #define SCENE_H
@@ -34,8 +41,11 @@ bool layer_parse (const char *name, Layer *layer);
 
 /* What a shape is. The order is that of the legend. */
 typedef enum Role {
-  ROLE_GROUND, /* the plane z = 0 in space: outline */
-  ROLE_SHEET,  /* the paraboloid: its rings and meridians */
+  ROLE_GROUND, /* outline of the plane: the square z = 0 in space, the frame
+                  of the plane view */
+  ROLE_SHEET,  /* the paraboloid: its rings and meridians; the outward normal
+                  at a point is (2x, 2y, -1) */
+  ROLE_RIM,    /* where the paraboloid is cut off */
   ROLE_CELL,   /* Voronoi cell; object is its site */
   ROLE_LOWER,  /* facets of the hull */
   ROLE_UPPER,
@@ -43,31 +53,40 @@ typedef enum Role {
   ROLE_TRIANGLE,        /* Delaunay triangle; object is its facet */
   ROLE_VISIBLE,         /* visible facet, or its triangle: will go */
   ROLE_VISIBLE_UPPER,   /* visible facet that is not lower */
+  ROLE_RETIRED,         /* visible facet that is gone from the hull */
   ROLE_CONE,            /* new lower facet, or its triangle */
   ROLE_CONE_UPPER,      /* new facet that is not lower */
   ROLE_SELECTED_FACET,  /* the facet whose outside set is used */
   ROLE_CIRCLE,          /* circumcircle */
   ROLE_CIRCLE_VISIBLE,  /* circumcircle that contains the site in hand */
+  ROLE_CIRCLE_UPPER,    /* circle of a visible upper facet: the site in hand
+                           is outside it */
   ROLE_CIRCLE_SELECTED, /* circumcircle of the person's selection */
   ROLE_VORONOI_EDGE,
   ROLE_DELAUNAY_EDGE,
-  ROLE_FREE_EDGE, /* inside a circle group: any diagonal would do */
-  ROLE_RIDGE,     /* of the hull in space */
+  ROLE_FREE_EDGE,    /* inside a circle group: any diagonal would do */
+  ROLE_RIDGE,        /* of the hull in space */
+  ROLE_VISIBLE_EDGE, /* ridge or Delaunay edge of a visible facet */
+  ROLE_CONE_EDGE,    /* ridge or Delaunay edge from the new site */
   ROLE_HORIZON,
   ROLE_HORIZON_UPPER, /* its part between facets that are not lower */
   ROLE_LIFT,          /* from a site to its lift */
   ROLE_LIFT_APEX,
   ROLE_LIFT_OUTSIDE,
+  ROLE_DROP, /* from an outside site's lift to the facet's plane */
   ROLE_VORONOI_VERTEX,
   ROLE_VORONOI_VERTEX_DYING,
+  ROLE_FOOT, /* a site in the plane, in the space view */
+  ROLE_FOOT_APEX,
   ROLE_SITE,
   ROLE_SITE_WAITING,
   ROLE_SITE_OUTSIDE,
   ROLE_SITE_APEX,
   ROLE_SITE_DUPLICATE,
+  ROLE_FACET_NAME, /* no mark: the label of a facet in its middle */
 } Role;
 
-#define N_ROLES (ROLE_SITE_DUPLICATE + 1)
+#define N_ROLES (ROLE_FACET_NAME + 1)
 
 typedef enum Emphasis {
   EMPHASIS_PALE, /* not the matter of this step */
@@ -104,10 +123,12 @@ typedef struct SceneItem {
   Emphasis emphasis;
   Lit lit;
   ScenePass pass;
-  Object object;     /* what a click on it means */
-  uint32_t first, n; /* points[first] … points[first + n - 1] */
-  uint32_t hue;      /* ROLE_CELL: stays with its site */
-  const char *label; /* marks: "s7", or NULL; owned by the scene */
+  Object object;      /* what a click on it means */
+  uint32_t first, n;  /* points[first] … points[first + n - 1] */
+  uint32_t beside[2]; /* lines: items of the facets on both sides, or
+                         INDEX_NONE */
+  uint32_t hue;       /* ROLE_CELL: stays with its site */
+  const char *label;  /* marks: "s7", or NULL; owned by the scene */
 } SceneItem;
 
 typedef struct Scene {
@@ -139,14 +160,53 @@ typedef struct SceneLook {
   Extent extent;
   double raise; /* of the paraboloid above the plane, scene units */
   Object selection, hover;
-  Point3 low, high; /* plane scene: the visible rectangle, to clip to */
+  Point3 low, high; /* plane scene: the visible rectangle, to clip to; see
+                       scene_look_fit() */
 } SceneLook;
 
 #define RAISE_DEFAULT 0.7
 
+/* The default look at all sites of a frame. */
+void scene_look_init (SceneLook *look, const Frame *frame);
+
+/* Fill @scene anew; its room is used again. */
 void scene_plane (Scene *scene, const Frame *frame, const SceneLook *look);
 void scene_space (Scene *scene, const Frame *frame, const SceneLook *look);
 void scene_clear (Scene *scene);
+
+/* Sets low and high to what @projection, one of the plane view, shows within
+ * @inset_px of its border. */
+void
+scene_look_fit (SceneLook *look, const Projection *projection, double inset_px);
+
+/* Layers of paint, back to front. Each is one of nested convex surfaces or
+ * one side of it, so that items of one layer need no order. */
+typedef enum SceneDepth {
+  DEPTH_GROUND,     /* the plane seen from above */
+  DEPTH_SHEET_FAR,  /* the paraboloid where it faces away from the eye */
+  DEPTH_CONE_FAR,   /* cone facets facing away */
+  DEPTH_HULL_FAR,   /* other facets facing away */
+  DEPTH_HULL_NEAR,  /* other facets facing the eye */
+  DEPTH_CONE_NEAR,  /* cone facets facing the eye */
+  DEPTH_SHEET_NEAR, /* the paraboloid where it faces the eye */
+  DEPTH_UNDER,      /* the plane seen from below */
+  DEPTH_LINES,
+  DEPTH_MARKS,
+} SceneDepth;
+
+#define N_SCENE_DEPTHS (DEPTH_MARKS + 1)
+
+/* Returns: the layer of paint of an item. Those of the paraboloid are
+ *          DEPTH_SHEET_FAR, though parts of them may face the eye. In the
+ *          plane view all items but marks are DEPTH_GROUND. */
+SceneDepth scene_depth (const Scene *scene,
+                        const SceneItem *item,
+                        const Projection *projection);
+
+/* Returns: whether the planar polygon @item faces the eye. */
+bool scene_faces_eye (const Scene *scene,
+                      const SceneItem *item,
+                      const Projection *projection);
 
 /* Returns: the scene point of @site; its lift when @lifted. */
 Point3 scene_point (const SceneLook *look, const Site *site, bool lifted);
@@ -156,7 +216,8 @@ Point3 scene_point (const SceneLook *look, const Site *site, bool lifted);
 Site scene_site (const SceneLook *look, Point3 point);
 
 /* What lies under a pixel: the nearest mark within reach_px, else the nearest
- * line with an object, else the topmost polygon.
+ * edge or ridge within half of it that no facet hides, else the topmost
+ * polygon.
  *
  * Returns: OBJECT_NONE when nothing does. */
 Object scene_pick (const Scene *scene,

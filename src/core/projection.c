@@ -1,0 +1,48 @@
+#include "camera.h"
+
+#include <math.h>
+
+void
+projection_clip_coordinates (const Projection *projection,
+                             Point3 point,
+                             double clip[4])
+{
+  const double *m = projection->matrix;
+  int row;
+
+  for (row = 0; row < 4; row++)
+    clip[row] = m[row] * point.x + m[row + 4] * point.y + m[row + 8] * point.z
+                + m[row + 12];
+}
+
+Point3
+projection_apply (const Projection *projection, Point3 point)
+{
+  double clip[4];
+
+  projection_clip_coordinates (projection, point, clip);
+  return (Point3){ (1 + clip[0] / clip[3]) * projection->width / 2,
+                   (1 - clip[1] / clip[3]) * projection->height / 2,
+                   clip[2] / clip[3] };
+}
+
+Point3
+projection_unapply (const Projection *projection, double x, double y)
+{
+  const double *m = projection->matrix;
+
+  return (Point3){ (2 * x / projection->width - 1 - m[12]) / m[0],
+                   (1 - 2 * y / projection->height - m[13]) / m[5], 0 };
+}
+
+Point3
+projection_to_eye (const Projection *projection, Point3 point)
+{
+  const Point3 eye = projection->eye;
+  const Point3 to = { eye.x - point.x, eye.y - point.y, eye.z - point.z };
+  const double length = sqrt (to.x * to.x + to.y * to.y + to.z * to.z);
+
+  if (projection->is_parallel || !(length > 0))
+    return eye;
+  return (Point3){ to.x / length, to.y / length, to.z / length };
+}

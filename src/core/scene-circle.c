@@ -1,0 +1,172 @@
+/* Circumcircles, drawn where they cross a rectangle, however large they are.
+ */
+#include "clip.h"
+#include "scene-builder.h"
+
+#include <math.h>
+
+#define N_CORDS 144   /* of a whole circle */
+#define STRAIGHT 1e12 /* radius beyond which a circle looks straight */
+#define HALF_TURN 3.14159265358979323846
+
+/* A circle seen from one of its points: there it is exact, even where its
+ * centre is too far away for doubles. */
+typedef struct Circle {
+  Point3 on;     /* a point of it */
+  Pixel inwards; /* direction to the centre, length 1 */
+  double radius;
+} Circle;
+
+static Circle
+circle_through (Point3 a, Point3 b, Point3 c)
+{
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double ex = c.x - a.x, ey = c.y - a.y;
+  const double d = dx * dx + dy * dy, e = ex * ex + ey * ey;
+  const double area = dx * ey - dy * ex;
+  const double sign = area < 0 ? -1 : 1;
+  const Pixel to = { sign * (d * ey - e * dy), sign * (e * dx - d * ex) };
+  const double length = hypot (to.x, to.y);
+
+  return (Circle){ a,
+                   { to.x / length, to.y / length },
+                   length / (2 * fabs (area)) };
+}
+
+/* The point by @angle further round than circle->on. */
+static Point3
+circle_at (const Circle *circle, double angle)
+{
+  const double half = sin (angle / 2);
+  const double in = 2 * circle->radius * half * half;
+  const double on = circle->radius * sin (angle);
+
+  return (Point3){
+    circle->on.x + in * circle->inwards.x + on * circle->inwards.y,
+    circle->on.y + in * circle->inwards.y - on * circle->inwards.x, 0
+  };
+}
+
+/* The angle beyond which no point of the circle lies in the box. */
+static double
+angle_of_box (const Circle *circle, const Point3 box[2])
+{
+  const double x
+      = fmax (fabs (box[0].x - circle->on.x), fabs (box[1].x - circle->on.x));
+  const double y
+      = fmax (fabs (box[0].y - circle->on.y), fabs (box[1].y - circle->on.y));
+  const double part = hypot (x, y) / (2 * circle->radius);
+
+  return part < 1 ? 2 * asin (part) : HALF_TURN;
+}
+
+typedef struct Pen {
+  SceneBuilder *builder;
+  Role role;
+  Object object;
+  Pixel at; /* the end of the item in hand */
+  bool is_down;
+} Pen;
+
+static void
+pen_draw (Pen *pen, const Point3 box[2], Point3 from, Point3 to)
+{
+  Pixel ends[2] = { { from.x, from.y }, { to.x, to.y } };
+
+  if (!clip_to_rectangle ((Pixel){ box[0].x, box[0].y },
+                          (Pixel){ box[1].x, box[1].y }, ends)) {
+    pen->is_down = false;
+    return;
+  }
+  if (!pen->is_down || pen->at.x != ends[0].x || pen->at.y != ends[0].y) {
+    scene_add (pen->builder, SHAPE_PATH, pen->role, pen->object);
+    scene_add_point (pen->builder, (Point3){ ends[0].x, ends[0].y, 0 });
+  }
+  scene_add_point (pen->builder, (Point3){ ends[1].x, ends[1].y, 0 });
+  pen->at = ends[1];
+  pen->is_down = true;
+}
+
+static void
+add_circle (SceneBuilder *builder,
+            const uint32_t site[3],
+            const SceneItem *like,
+            const Point3 box[2])
+{
+  const Circle circle = circle_through (scene_at (builder, site[0], false),
+                                        scene_at (builder, site[1], false),
+                                        scene_at (builder, site[2], false));
+  const double end = angle_of_box (&circle, box);
+  Pen pen = { builder, like->role, like->object, { 0, 0 }, false };
+  Point3 last = circle_at (&circle, -end);
+  int i;
+
+  /* Sites that share their doubles in the scene have no circle to show. */
+  if (!isfinite (circle.inwards.x))
+    return;
+  for (i = 1; i <= N_CORDS; i++) {
+    const bool is_closed = i == N_CORDS && end == HALF_TURN;
+    const Point3 next
+        = circle_at (&circle, is_closed ? -end : -end + 2 * end * i / N_CORDS);
+
+    pen_draw (&pen, box, last, next);
+    last = next;
+  }
+}
+
+/* The role of a circle group's circle.
+ *
+ * Returns: false when it is not shown. */
+static bool
+circle_role (const SceneBuilder *builder, uint32_t group, Role *role)
+{
+  const Object vertex = scene_vertex_object (builder, group);
+
+  if (builder->frame->is_dying[group])
+    *role = ROLE_CIRCLE_VISIBLE;
+  else if (scene_lit (builder, vertex) != LIT_NONE)
+    *role = ROLE_CIRCLE_SELECTED;
+  else
+    *role = ROLE_CIRCLE;
+  return *role != ROLE_CIRCLE || scene_has_layer (builder, LAYER_CIRCLES);
+}
+
+/* A facet that is not lower has a circle too, of which the reverse holds. */
+static void
+add_upper_circles (SceneBuilder *builder, const Point3 box[2])
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+
+  for (i = 0; i < frame->n_facets; i++) {
+    const uint32_t facet = frame->facets[i].facet;
+    const FacetRow *row = &frame->trace->facets[facet];
+    const Object object = { OBJECT_FACET, facet };
+    const bool is_seen = (frame->facets[i].roles & FACET_VISIBLE)
+                         && !(frame->facets[i].roles & FACET_RETIRED);
+    const bool is_lit = scene_lit (builder, object) != LIT_NONE;
+    const SceneItem like
+        = { .role = is_seen ? ROLE_CIRCLE_UPPER : ROLE_CIRCLE_SELECTED,
+            .object = object };
+
+    if (row->facing == FACING_UPPER && (is_seen || is_lit))
+      add_circle (builder, row->site, &like, box);
+  }
+}
+
+void
+scene_add_circles (SceneBuilder *builder, const Point3 box[2])
+{
+  const Frame *frame = builder->frame;
+  uint32_t group;
+
+  for (group = 0; group < frame->voronoi.n_vertices; group++) {
+    const uint32_t triangle = frame->voronoi.vertices[group].triangle;
+    SceneItem like = { .object = scene_vertex_object (builder, group) };
+
+    if (circle_role (builder, group, &like.role))
+      add_circle (builder, frame->delaunay.triangles[triangle].site, &like,
+                  box);
+  }
+  add_upper_circles (builder, box);
+}

@@ -1,0 +1,72 @@
+#include "scene-builder.h"
+
+static void
+add_frame (SceneBuilder *builder)
+{
+  const Point3 low = builder->look->low, high = builder->look->high;
+  const Point3 corners[5]
+      = { low, { high.x, low.y, 0 }, high, { low.x, high.y, 0 }, low };
+  int i;
+
+  scene_add (builder, SHAPE_PATH, ROLE_GROUND, (Object){ OBJECT_NONE, 0 });
+  for (i = 0; i < 5; i++)
+    scene_add_point (builder, corners[i]);
+}
+
+static void
+add_site (SceneBuilder *builder, uint32_t site)
+{
+  const SiteState state = builder->frame->sites[site].state;
+
+  scene_add_mark (
+      builder, scene_site_role (state), (Object){ OBJECT_SITE, site },
+      scene_at (builder, site, false), scene_label (builder, 's', site));
+}
+
+/* The site in hand is drawn last, over all others. */
+static void
+add_sites (SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i, apex = INDEX_NONE;
+
+  for (i = 0; i < frame->n_sites; i++) {
+    if (frame->sites[i].state == SITE_APEX)
+      apex = i;
+    else
+      add_site (builder, i);
+  }
+  if (apex != INDEX_NONE)
+    add_site (builder, apex);
+}
+
+void
+scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
+{
+  const Point3 box[2] = { look->low, look->high };
+  SceneBuilder builder;
+  SceneDiagram *diagram;
+
+  scene_builder_init (&builder, scene, frame, look);
+  scene->is_space = false;
+  diagram = scene_diagram_new (&builder, box);
+  builder.pass = PASS_GROUND;
+  if (scene_has_layer (&builder, LAYER_VORONOI))
+    scene_add_cells (diagram);
+  add_frame (&builder);
+  scene_add_triangles (&builder);
+  if (scene_has_layer (&builder, LAYER_VORONOI))
+    scene_add_voronoi_edges (diagram);
+  scene_add_circles (&builder, box);
+  scene_add_delaunay_edges (&builder);
+  scene_add_cone_shadow (&builder);
+  scene_add_cone_edges (&builder, false);
+  scene_add_selected_facet (&builder, false);
+  scene_add_horizon (&builder, false);
+  builder.pass = PASS_MARKS;
+  scene_add_voronoi_vertices (diagram);
+  add_sites (&builder);
+  scene_add_facet_names (&builder, false);
+  scene_diagram_free (diagram);
+  scene_builder_clear (&builder);
+}

@@ -1,0 +1,320 @@
+/* What stands in the plane: the triangulation and the shadows of the round in
+ * hand; and what is drawn alike in the plane and in space. */
+#include "memory.h"
+#include "scene-builder.h"
+
+#include <stdlib.h>
+
+uint32_t
+scene_roles (const SceneBuilder *builder, uint32_t facet)
+{
+  return builder->frame->trace->is_flat
+             ? FACET_STANDS
+             : frame_facet_roles (builder->frame, facet);
+}
+
+static const RoundRow *
+round_of (const SceneBuilder *builder)
+{
+  return &builder->frame->trace->rounds[builder->frame->round];
+}
+
+bool
+scene_is_new_apex (const SceneBuilder *builder, uint32_t site)
+{
+  return builder->is_round && builder->frame->base == builder->frame->step
+         && round_of (builder)->site == site;
+}
+
+void
+scene_add_polygon (SceneBuilder *builder,
+                   Role role,
+                   uint32_t facet,
+                   bool lifted)
+{
+  const uint32_t *site = scene_facet_sites (builder, facet);
+  int k;
+
+  scene_add (builder, SHAPE_POLYGON, role, (Object){ OBJECT_FACET, facet });
+  for (k = 0; k < 3; k++)
+    scene_add_point (builder, scene_at (builder, site[k], lifted));
+}
+
+void
+scene_add_edge (SceneBuilder *builder,
+                Role role,
+                Object object,
+                const uint32_t site[2],
+                bool lifted)
+{
+  scene_add_segment (builder, role, object,
+                     (Point3[2]){ scene_at (builder, site[0], lifted),
+                                  scene_at (builder, site[1], lifted) });
+}
+
+/* While the first simplex is being made, there is no triangulation yet, only
+ * the facets so far. */
+static void
+add_simplex_shadow (SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+  int k;
+
+  for (i = 0; i < frame->n_facets; i++) {
+    const FacetRow *row = &frame->trace->facets[frame->facets[i].facet];
+
+    if (row->facing != FACING_LOWER)
+      continue;
+    scene_add_polygon (builder, ROLE_TRIANGLE, frame->facets[i].facet, false);
+    for (k = 0; k < 3; k++)
+      scene_add_edge (builder, ROLE_DELAUNAY_EDGE, (Object){ OBJECT_NONE, 0 },
+                      (uint32_t[2]){ row->site[k], row->site[(k + 1) % 3] },
+                      false);
+  }
+}
+
+/* The role of a triangle; a standing one has no look of its own. */
+static Role
+triangle_role (const SceneBuilder *builder, uint32_t facet)
+{
+  Role role;
+
+  if (builder->frame->trace->is_flat)
+    return ROLE_TRIANGLE;
+  role = scene_facet_role (builder, facet, scene_roles (builder, facet));
+  return role == ROLE_LOWER ? ROLE_TRIANGLE : role;
+}
+
+void
+scene_add_triangles (SceneBuilder *builder)
+{
+  const Delaunay *delaunay = &builder->frame->delaunay;
+  const bool has_layer = scene_has_layer (builder, LAYER_DELAUNAY);
+  uint32_t i;
+
+  if (delaunay->n_triangles == 0 && has_layer)
+    add_simplex_shadow (builder);
+  for (i = 0; i < delaunay->n_triangles; i++) {
+    const uint32_t facet = delaunay->triangles[i].facet;
+    const Role role = triangle_role (builder, facet);
+
+    if (has_layer || role != ROLE_TRIANGLE)
+      scene_add_polygon (builder, role, facet, false);
+  }
+}
+
+static bool
+is_visible (const SceneBuilder *builder, uint32_t triangle)
+{
+  const Triangle *triangles = builder->frame->delaunay.triangles;
+  uint32_t roles;
+
+  if (triangle == INDEX_NONE)
+    return false;
+  roles = scene_roles (builder, triangles[triangle].facet);
+  return (roles & FACET_VISIBLE) && !(roles & FACET_RETIRED);
+}
+
+static Role
+edge_role (const SceneBuilder *builder, const DelaunayEdge *edge)
+{
+  if (is_visible (builder, edge->triangle[0])
+      || is_visible (builder, edge->triangle[1]))
+    return ROLE_VISIBLE_EDGE;
+  if (edge->is_free)
+    return ROLE_FREE_EDGE;
+  if (scene_is_new_apex (builder, edge->site[0])
+      || scene_is_new_apex (builder, edge->site[1]))
+    return ROLE_CONE_EDGE;
+  return ROLE_DELAUNAY_EDGE;
+}
+
+void
+scene_add_delaunay_edges (SceneBuilder *builder)
+{
+  const Delaunay *delaunay = &builder->frame->delaunay;
+  uint32_t i;
+
+  for (i = 0; i < delaunay->n_edges; i++) {
+    const DelaunayEdge *edge = &delaunay->edges[i];
+    const Role role = edge_role (builder, edge);
+
+    if (role == ROLE_VISIBLE_EDGE || role == ROLE_CONE_EDGE
+        || scene_has_layer (builder, LAYER_DELAUNAY))
+      scene_add_edge (builder, role,
+                      (Object){ OBJECT_RIDGE, builder->ridge_of[i] },
+                      edge->site, false);
+  }
+}
+
+static bool
+is_lower (const SceneBuilder *builder, uint32_t facet)
+{
+  return builder->frame->trace->facets[facet].facing == FACING_LOWER;
+}
+
+void
+scene_add_cone_shadow (SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+
+  for (i = 0; i < frame->n_facets; i++)
+    if ((frame->facets[i].roles & FACET_CONE)
+        && is_lower (builder, frame->facets[i].facet))
+      scene_add_polygon (builder, ROLE_CONE, frame->facets[i].facet, false);
+}
+
+/* The edges from the apex to the horizon, once each. In the plane those of
+ * lower facets only: no others will be Delaunay edges. */
+void
+scene_add_cone_edges (SceneBuilder *builder, bool lifted)
+{
+  const Frame *frame = builder->frame;
+  bool *is_drawn = memory_new (frame->n_sites, sizeof *is_drawn);
+  uint32_t i;
+  int k;
+
+  for (i = 0; i < frame->n_facets; i++) {
+    const uint32_t facet = frame->facets[i].facet;
+    const uint32_t *site = scene_facet_sites (builder, facet);
+    const uint32_t apex
+        = builder->is_round ? round_of (builder)->site : INDEX_NONE;
+
+    if (!(frame->facets[i].roles & FACET_CONE)
+        || !(lifted || is_lower (builder, facet)))
+      continue;
+    for (k = 0; k < 3; k++) {
+      if (site[k] == apex || is_drawn[site[k]])
+        continue;
+      is_drawn[site[k]] = true;
+      scene_add_edge (builder, ROLE_CONE_EDGE, (Object){ OBJECT_NONE, 0 },
+                      (uint32_t[2]){ apex, site[k] }, lifted);
+    }
+  }
+  free (is_drawn);
+}
+
+/* For each horizon ridge, by its tail: whether a lower facet touches it. The
+ * horizon is one loop, so each of its sites is tail of one ridge. */
+static bool *
+find_lower_horizon (const SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t *head = memory_new (frame->n_sites, sizeof *head);
+  bool *has_lower = memory_new (frame->n_sites, sizeof *has_lower);
+  uint32_t i;
+  int k;
+
+  for (i = 0; i < frame->n_sites; i++)
+    head[i] = INDEX_NONE;
+  for (i = 0; i < frame->n_horizon; i++) {
+    head[frame->horizon[i].site[0]] = frame->horizon[i].site[1];
+    has_lower[frame->horizon[i].site[0]]
+        = is_lower (builder, frame->horizon[i].beyond);
+  }
+  for (i = 0; i < frame->n_facets; i++) {
+    const uint32_t facet = frame->facets[i].facet;
+    const uint32_t *site = frame->trace->facets[facet].site;
+
+    if (!(frame->facets[i].roles & FACET_VISIBLE) || !is_lower (builder, facet))
+      continue;
+    for (k = 0; k < 3; k++)
+      if (head[site[k]] == site[(k + 1) % 3])
+        has_lower[site[k]] = true;
+  }
+  free (head);
+  return has_lower;
+}
+
+void
+scene_add_horizon (SceneBuilder *builder, bool lifted)
+{
+  const Frame *frame = builder->frame;
+  bool *has_lower;
+  uint32_t i;
+
+  if (frame->n_horizon == 0
+      || (frame->place.phase == PHASE_HAND_OVER && frame->base == frame->step))
+    return;
+  has_lower = find_lower_horizon (builder);
+  for (i = 0; i < frame->n_horizon; i++) {
+    const uint32_t *site = frame->horizon[i].site;
+
+    scene_add_edge (builder,
+                    has_lower[site[0]] ? ROLE_HORIZON : ROLE_HORIZON_UPPER,
+                    (Object){ OBJECT_NONE, 0 }, site, lifted);
+  }
+  free (has_lower);
+}
+
+uint32_t
+scene_selected_facet (const SceneBuilder *builder)
+{
+  const Phase phase = builder->frame->place.phase;
+
+  if (builder->event != NULL && builder->event->kind == EVENT_CLAIM)
+    return builder->event->facet;
+  if (builder->is_round && (phase == PHASE_CHOOSE || phase == PHASE_SEE))
+    return round_of (builder)->facet;
+  return INDEX_NONE;
+}
+
+void
+scene_add_selected_facet (SceneBuilder *builder, bool lifted)
+{
+  const uint32_t facet = scene_selected_facet (builder);
+  const uint32_t *site;
+  int k;
+
+  if (facet == INDEX_NONE)
+    return;
+  site = scene_facet_sites (builder, facet);
+  scene_add (builder, SHAPE_PATH, ROLE_SELECTED_FACET,
+             (Object){ OBJECT_NONE, 0 });
+  for (k = 0; k < 4; k++)
+    scene_add_point (builder, scene_at (builder, site[k % 3], lifted));
+}
+
+static void
+add_facet_name (SceneBuilder *builder, uint32_t facet, bool lifted)
+{
+  const uint32_t *site = scene_facet_sites (builder, facet);
+  const char *label = scene_label (builder, 'f', facet);
+  Point3 middle = { 0, 0, 0 };
+  int k;
+
+  for (k = 0; k < 3; k++) {
+    const Point3 corner = scene_at (builder, site[k], lifted);
+
+    middle.x += corner.x / 3;
+    middle.y += corner.y / 3;
+    middle.z += corner.z / 3;
+  }
+  if (label != NULL)
+    scene_add_mark (builder, ROLE_FACET_NAME, (Object){ OBJECT_NONE, 0 },
+                    middle, label);
+}
+
+/* Names the facet that the sentence of the step speaks of, and that which is
+ * selected. In the plane only a lower facet has a triangle to name. */
+void
+scene_add_facet_names (SceneBuilder *builder, bool lifted)
+{
+  const Frame *frame = builder->frame;
+  const Object selection = builder->look->selection;
+  uint32_t facets[2] = { INDEX_NONE, INDEX_NONE };
+  int i;
+
+  if (frame->trace->is_flat)
+    return;
+  if (builder->event != NULL && builder->event->kind != EVENT_HORIZON)
+    facets[0] = builder->event->facet;
+  if (selection.kind == OBJECT_FACET && selection.number != facets[0])
+    facets[1] = selection.number;
+  for (i = 0; i < 2; i++)
+    if (facets[i] != INDEX_NONE && scene_roles (builder, facets[i]) != 0
+        && (lifted || is_lower (builder, facets[i])))
+      add_facet_name (builder, facets[i], lifted);
+}

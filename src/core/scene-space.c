@@ -1,0 +1,376 @@
+#include "memory.h"
+#include "scene-builder.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The paraboloid is drawn a little beyond the outermost site. */
+#define RIM_MARGIN 1.05
+#define RIM_LEAST 1.2
+#define N_RINGS 5
+#define N_MERIDIANS 12
+#define N_ROUND 96 /* points of a ring */
+#define N_UP 24    /* points of a meridian */
+#define TURN 6.28318530717958647692
+
+static const Object no_object = { OBJECT_NONE, 0 };
+
+static void
+add_ground (SceneBuilder *builder)
+{
+  const double g = CAMERA_GROUND;
+
+  scene_add (builder, SHAPE_POLYGON, ROLE_GROUND, no_object);
+  scene_add_point (builder, (Point3){ -g, -g, 0 });
+  scene_add_point (builder, (Point3){ g, -g, 0 });
+  scene_add_point (builder, (Point3){ g, g, 0 });
+  scene_add_point (builder, (Point3){ -g, g, 0 });
+}
+
+/* Sites that leave the square, while they are dragged, have no foot on the
+ * ground that is shown; they keep their lift. */
+static void
+add_feet (SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+
+  for (i = 0; i < frame->n_sites; i++) {
+    const SiteState state = frame->sites[i].state;
+
+    if (state != SITE_DUPLICATE)
+      scene_add_mark (builder, state == SITE_APEX ? ROLE_FOOT_APEX : ROLE_FOOT,
+                      (Object){ OBJECT_SITE, i }, scene_at (builder, i, false),
+                      NULL);
+  }
+}
+
+static void
+add_plane (SceneBuilder *builder)
+{
+  const Point3 box[2] = { { -CAMERA_GROUND, -CAMERA_GROUND, 0 },
+                          { CAMERA_GROUND, CAMERA_GROUND, 0 } };
+  SceneDiagram *diagram = scene_diagram_new (builder, box);
+
+  builder->pass = PASS_GROUND;
+  add_ground (builder);
+  if (scene_has_layer (builder, LAYER_VORONOI))
+    scene_add_cells (diagram);
+  scene_add_triangles (builder);
+  if (scene_has_layer (builder, LAYER_VORONOI))
+    scene_add_voronoi_edges (diagram);
+  scene_add_circles (builder, box);
+  scene_add_delaunay_edges (builder);
+  scene_add_cone_shadow (builder);
+  scene_add_cone_edges (builder, false);
+  scene_add_horizon (builder, false);
+  scene_add_voronoi_vertices (diagram);
+  add_feet (builder);
+  scene_diagram_free (diagram);
+}
+
+static double
+rim_radius (const SceneBuilder *builder)
+{
+  double radius = 0;
+  uint32_t i;
+
+  for (i = 0; i < builder->frame->n_sites; i++) {
+    const Point3 at = scene_at (builder, i, false);
+
+    radius = fmax (radius, hypot (at.x, at.y));
+  }
+  return fmax (RIM_LEAST, RIM_MARGIN * radius);
+}
+
+static void
+add_sheet_point (SceneBuilder *builder, double radius, double angle)
+{
+  scene_add_point (builder,
+                   (Point3){ radius * cos (angle), radius * sin (angle),
+                             builder->look->raise + radius * radius });
+}
+
+static void
+add_ring (SceneBuilder *builder, Role role, double radius)
+{
+  int i;
+
+  scene_add (builder, SHAPE_PATH, role, no_object);
+  for (i = 0; i <= N_ROUND; i++)
+    add_sheet_point (builder, radius, TURN * (i % N_ROUND) / N_ROUND);
+}
+
+/* Rings at equal heights. */
+static void
+add_sheet (SceneBuilder *builder)
+{
+  const double rim = rim_radius (builder);
+  int i, k;
+
+  builder->pass = PASS_SHEET_FAR;
+  for (i = 1; i < N_RINGS; i++)
+    add_ring (builder, ROLE_SHEET, rim * sqrt ((double)i / N_RINGS));
+  for (i = 0; i < N_MERIDIANS; i++) {
+    scene_add (builder, SHAPE_PATH, ROLE_SHEET, no_object);
+    for (k = 0; k <= N_UP; k++)
+      add_sheet_point (builder, rim * k / N_UP, TURN * i / N_MERIDIANS);
+  }
+  add_ring (builder, ROLE_RIM, rim);
+}
+
+/* Returns: for each facet of the frame the item of its polygon; free with
+ *          free(). */
+static uint32_t *
+add_facets (SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t *item_of = memory_new (frame->n_facets, sizeof *item_of);
+  uint32_t i;
+
+  for (i = 0; i < frame->n_facets; i++) {
+    const uint32_t facet = frame->facets[i].facet;
+    const Role role = scene_facet_role (builder, facet, frame->facets[i].roles);
+
+    item_of[i] = builder->scene->n_items;
+    scene_add_polygon (builder, role, facet, true);
+  }
+  return item_of;
+}
+
+/* Where @facet stands in the frame's list, which is ascending. */
+static uint32_t
+position_of (const Frame *frame, uint32_t facet)
+{
+  uint32_t low = 0, high = frame->n_facets - 1;
+
+  while (low < high) {
+    const uint32_t middle = low + (high - low) / 2;
+
+    if (frame->facets[middle].facet < facet)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+static Role
+ridge_role (const SceneBuilder *builder, const FrameRidge *ridge)
+{
+  const RidgeRow *row = &builder->frame->trace->ridges[ridge->ridge];
+  const uint32_t left = scene_roles (builder, row->facet[0]);
+  const uint32_t right = scene_roles (builder, row->facet[1]);
+
+  if (left & right & FACET_RETIRED)
+    return ROLE_RETIRED;
+  if (((left & FACET_VISIBLE) && !(left & FACET_RETIRED))
+      || ((right & FACET_VISIBLE) && !(right & FACET_RETIRED)))
+    return ROLE_VISIBLE_EDGE;
+  if (ridge->is_coplanar)
+    return ROLE_FREE_EDGE;
+  if (scene_is_new_apex (builder, row->site[0])
+      || scene_is_new_apex (builder, row->site[1]))
+    return ROLE_CONE_EDGE;
+  return ROLE_RIDGE;
+}
+
+static void
+add_ridges (SceneBuilder *builder, const uint32_t *item_of)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+
+  for (i = 0; i < frame->n_ridges; i++) {
+    const uint32_t ridge = frame->ridges[i].ridge;
+    const RidgeRow *row = &frame->trace->ridges[ridge];
+    SceneItem *item;
+
+    scene_add_edge (builder, ridge_role (builder, &frame->ridges[i]),
+                    (Object){ OBJECT_RIDGE, ridge }, row->site, true);
+    item = &builder->scene->items[builder->scene->n_items - 1];
+    item->beside[0] = item_of[position_of (frame, row->facet[0])];
+    item->beside[1] = item_of[position_of (frame, row->facet[1])];
+  }
+}
+
+/* Ridges come in pairs of facets; while the first simplex is being made, the
+ * outlines of its facets stand for them. */
+static void
+add_outlines (SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+  int k;
+
+  for (i = 0; i < frame->n_facets; i++) {
+    const uint32_t *site = scene_facet_sites (builder, frame->facets[i].facet);
+
+    for (k = 0; k < 3; k++)
+      scene_add_edge (builder, ROLE_RIDGE, no_object,
+                      (uint32_t[2]){ site[k], site[(k + 1) % 3] }, true);
+  }
+}
+
+static void
+add_hull (SceneBuilder *builder)
+{
+  const bool is_whole
+      = builder->frame->step >= builder->frame->trace->simplex_end;
+  uint32_t *item_of = add_facets (builder);
+
+  if (is_whole)
+    add_ridges (builder, item_of);
+  else
+    add_outlines (builder);
+  free (item_of);
+}
+
+/* The lifts of flat input lie in one plane: on a circle they make a polygon
+ * cut into triangles, on a line a polygon in an upright plane. */
+static void
+add_flat (SceneBuilder *builder)
+{
+  const Delaunay *delaunay = &builder->frame->delaunay;
+  uint32_t i;
+
+  for (i = 0; i < delaunay->n_triangles; i++)
+    scene_add_polygon (builder, ROLE_LOWER, i, true);
+  if (delaunay->dimension == 1 && delaunay->n_boundary > 2) {
+    scene_add (builder, SHAPE_POLYGON, ROLE_VERTICAL, no_object);
+    for (i = 0; i < delaunay->n_boundary; i++)
+      scene_add_point (builder,
+                       scene_at (builder, delaunay->boundary[i], true));
+  }
+  for (i = 0; i < delaunay->n_edges; i++)
+    scene_add_edge (builder,
+                    delaunay->edges[i].is_free ? ROLE_FREE_EDGE : ROLE_RIDGE,
+                    (Object){ OBJECT_RIDGE, i }, delaunay->edges[i].site, true);
+}
+
+static Role
+lift_role (SiteState state)
+{
+  if (state == SITE_APEX)
+    return ROLE_LIFT_APEX;
+  return state == SITE_OUTSIDE ? ROLE_LIFT_OUTSIDE : ROLE_LIFT;
+}
+
+static void
+add_lifts (SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+
+  for (i = 0; i < frame->n_sites; i++) {
+    const SiteState state = frame->sites[i].state;
+    const Point3 ends[2]
+        = { scene_at (builder, i, false), scene_at (builder, i, true) };
+
+    if (state != SITE_DUPLICATE
+        && (state == SITE_APEX || scene_has_layer (builder, LAYER_LIFTS)))
+      scene_add_segment (builder, lift_role (state), (Object){ OBJECT_SITE, i },
+                         ends);
+  }
+}
+
+/* Where the upright line through @lift meets the plane of @corners; for a
+ * vertical facet, the foot of the level line that meets it at a right angle. */
+static Point3
+drop_foot (const Point3 corners[3], bool is_vertical, Point3 lift)
+{
+  const Point3 a = corners[0], b = corners[1], c = corners[2];
+  const Point3 d = { b.x - a.x, b.y - a.y, b.z - a.z };
+  const Point3 e = { c.x - a.x, c.y - a.y, c.z - a.z };
+  const Point3 normal
+      = { d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x };
+  const double gap = (lift.x - a.x) * normal.x + (lift.y - a.y) * normal.y
+                     + (lift.z - a.z) * normal.z;
+  const double level = normal.x * normal.x + normal.y * normal.y;
+
+  if (!is_vertical)
+    return (Point3){ lift.x, lift.y, lift.z - gap / normal.z };
+  return (Point3){ lift.x - gap * normal.x / level,
+                   lift.y - gap * normal.y / level, lift.z };
+}
+
+static void
+add_drop (SceneBuilder *builder, uint32_t facet, uint32_t site)
+{
+  const FacetRow *row = &builder->frame->trace->facets[facet];
+  const Point3 corners[3] = { scene_at (builder, row->site[0], true),
+                              scene_at (builder, row->site[1], true),
+                              scene_at (builder, row->site[2], true) };
+  const Point3 lift = scene_at (builder, site, true);
+  const Point3 foot = drop_foot (corners, row->facing == FACING_VERTICAL, lift);
+
+  if (isfinite (foot.x) && isfinite (foot.y) && isfinite (foot.z))
+    scene_add_segment (builder, ROLE_DROP, no_object,
+                       (Point3[2]){ lift, foot });
+}
+
+static void
+add_drops (SceneBuilder *builder)
+{
+  const uint32_t facet = scene_selected_facet (builder);
+  const Frame *frame = builder->frame;
+  uint32_t i;
+
+  if (facet == INDEX_NONE)
+    return;
+  if (builder->event->kind == EVENT_CLAIM) {
+    add_drop (builder, facet, builder->event->site);
+    return;
+  }
+  for (i = 0; i < frame->n_sites; i++)
+    if (frame->sites[i].state == SITE_OUTSIDE
+        || frame->sites[i].state == SITE_APEX)
+      add_drop (builder, facet, i);
+}
+
+static void
+add_marks (SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i, k;
+
+  /* The site in hand is drawn last, over all others. */
+  for (k = 0; k < 2; k++)
+    for (i = 0; i < frame->n_sites; i++) {
+      const SiteState state = frame->sites[i].state;
+
+      if (state != SITE_DUPLICATE && (state == SITE_APEX) == (k == 1))
+        scene_add_mark (builder, scene_site_role (state),
+                        (Object){ OBJECT_SITE, i }, scene_at (builder, i, true),
+                        scene_label (builder, 's', i));
+    }
+}
+
+void
+scene_space (Scene *scene, const Frame *frame, const SceneLook *look)
+{
+  SceneBuilder builder;
+
+  scene_builder_init (&builder, scene, frame, look);
+  scene->is_space = true;
+  add_plane (&builder);
+  if (scene_has_layer (&builder, LAYER_PARABOLOID))
+    add_sheet (&builder);
+  builder.pass = PASS_HULL;
+  if (scene_has_layer (&builder, LAYER_HULL)) {
+    if (frame->trace->is_flat)
+      add_flat (&builder);
+    else
+      add_hull (&builder);
+  }
+  builder.pass = PASS_LINES;
+  add_lifts (&builder);
+  add_drops (&builder);
+  scene_add_cone_edges (&builder, true);
+  scene_add_selected_facet (&builder, true);
+  scene_add_horizon (&builder, true);
+  builder.pass = PASS_MARKS;
+  add_marks (&builder);
+  scene_add_facet_names (&builder, true);
+  scene_builder_clear (&builder);
+}

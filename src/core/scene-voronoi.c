@@ -1,0 +1,200 @@
+/* The Voronoi diagram of a frame in scene coordinates. */
+#include "memory.h"
+#include "scene-builder.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Where the sites use fewer bits than this below their first, a Voronoi
+ * vertex as doubles of their units is too coarse to draw. */
+#define COARSE 0x1p-26
+
+struct SceneDiagram {
+  SceneBuilder *builder;
+  const Voronoi *voronoi; /* that of the frame, or one in scene units */
+  Point3 low, high;
+  Box box;           /* in the units of voronoi */
+  bool is_rescaled;  /* then all below is its own */
+  SiteSet set;       /* scene units */
+  Delaunay delaunay; /* borrows all but set */
+  Voronoi own;       /* borrows all but delaunay, vertices and edges */
+};
+
+static bool
+is_coarse (const Extent *extent)
+{
+  const double offset = fmax (fabs (extent->centre.x), fabs (extent->centre.y));
+
+  return extent->radius < COARSE * offset;
+}
+
+/* Differences of the sites are exact here, so this is right in spite of its
+ * simplicity. */
+static Site
+circumcentre (const Site *a, const Site *b, const Site *c)
+{
+  const double dx = b->x - a->x, dy = b->y - a->y;
+  const double ex = c->x - a->x, ey = c->y - a->y;
+  const double d = dx * dx + dy * dy, e = ex * ex + ey * ey;
+  const double area = dx * ey - dy * ex;
+
+  return (Site){ a->x + (d * ey - e * dy) / (2 * area),
+                 a->y + (e * dx - d * ex) / (2 * area) };
+}
+
+/* Makes a copy of the diagram whose units are those of the scene. */
+static void
+rescale (SceneDiagram *diagram)
+{
+  const Voronoi *from = &diagram->builder->frame->voronoi;
+  const SiteSet *set = from->delaunay->set;
+  Site *sites = memory_new (set->n_sites, sizeof *sites);
+  uint32_t i;
+
+  diagram->set = *set;
+  diagram->set.sites = sites;
+  for (i = 0; i < set->n_sites; i++) {
+    const Point3 at = scene_at (diagram->builder, i, false);
+
+    sites[i] = (Site){ at.x, at.y };
+  }
+  diagram->delaunay = *from->delaunay;
+  diagram->delaunay.set = &diagram->set;
+  diagram->own = *from;
+  diagram->own.delaunay = &diagram->delaunay;
+  diagram->own.vertices
+      = memory_new (from->n_vertices, sizeof *diagram->own.vertices);
+  for (i = 0; i < from->n_vertices; i++) {
+    const uint32_t triangle = from->vertices[i].triangle;
+    const uint32_t *site = from->delaunay->triangles[triangle].site;
+
+    diagram->own.vertices[i] = (VoronoiVertex){
+      circumcentre (&sites[site[0]], &sites[site[1]], &sites[site[2]]), triangle
+    };
+  }
+  diagram->voronoi = &diagram->own;
+}
+
+SceneDiagram *
+scene_diagram_new (SceneBuilder *builder, const Point3 box[2])
+{
+  SceneDiagram *diagram = memory_new (1, sizeof *diagram);
+
+  diagram->builder = builder;
+  diagram->voronoi = &builder->frame->voronoi;
+  diagram->low = box[0];
+  diagram->high = box[1];
+  diagram->box.low = scene_site (builder->look, box[0]);
+  diagram->box.high = scene_site (builder->look, box[1]);
+  diagram->is_rescaled = is_coarse (&builder->look->extent);
+  if (diagram->is_rescaled) {
+    rescale (diagram);
+    diagram->box.low = (Site){ box[0].x, box[0].y };
+    diagram->box.high = (Site){ box[1].x, box[1].y };
+  }
+  return diagram;
+}
+
+void
+scene_diagram_free (SceneDiagram *diagram)
+{
+  if (diagram->is_rescaled) {
+    free (diagram->set.sites);
+    free (diagram->own.vertices);
+  }
+  free (diagram);
+}
+
+static Point3
+to_scene (const SceneDiagram *diagram, Site at)
+{
+  if (diagram->is_rescaled)
+    return (Point3){ at.x, at.y, 0 };
+  return scene_point (diagram->builder->look, &at, false);
+}
+
+static void
+add_cell (SceneDiagram *diagram, uint32_t site, Site *corners)
+{
+  SceneBuilder *builder = diagram->builder;
+  const uint32_t n
+      = voronoi_clip_cell (diagram->voronoi, site, &diagram->box, corners);
+  const RoundRow *round = NULL;
+  SceneItem *item;
+  uint32_t i;
+
+  if (n == 0)
+    return;
+  if (builder->is_round)
+    round = &builder->frame->trace->rounds[builder->frame->round];
+  item = scene_add (builder, SHAPE_POLYGON, ROLE_CELL,
+                    (Object){ OBJECT_SITE, site });
+  item->hue = site;
+  if (round != NULL && site == round->site)
+    item->emphasis = EMPHASIS_LOUD;
+  for (i = 0; i < n; i++)
+    scene_add_point (builder, to_scene (diagram, corners[i]));
+}
+
+void
+scene_add_cells (SceneDiagram *diagram)
+{
+  const Delaunay *delaunay = diagram->voronoi->delaunay;
+  uint32_t i, room = 0;
+  Site *corners;
+
+  for (i = 0; i < delaunay->n_active; i++) {
+    const uint32_t n
+        = voronoi_cell_room (diagram->voronoi, delaunay->active[i]);
+
+    room = n > room ? n : room;
+  }
+  corners = memory_new (room, sizeof *corners);
+  for (i = 0; i < delaunay->n_active; i++)
+    add_cell (diagram, delaunay->active[i], corners);
+  free (corners);
+}
+
+void
+scene_add_voronoi_edges (SceneDiagram *diagram)
+{
+  SceneBuilder *builder = diagram->builder;
+  uint32_t i;
+
+  for (i = 0; i < diagram->voronoi->n_edges; i++) {
+    const uint32_t edge = diagram->voronoi->edges[i].edge;
+    Site ends[2];
+
+    if (voronoi_clip_edge (diagram->voronoi, i, &diagram->box, ends))
+      scene_add_segment (builder, ROLE_VORONOI_EDGE,
+                         (Object){ OBJECT_RIDGE, builder->ridge_of[edge] },
+                         (Point3[2]){ to_scene (diagram, ends[0]),
+                                      to_scene (diagram, ends[1]) });
+  }
+}
+
+static bool
+is_inside (const SceneDiagram *diagram, Point3 at)
+{
+  return diagram->low.x <= at.x && at.x <= diagram->high.x
+         && diagram->low.y <= at.y && at.y <= diagram->high.y;
+}
+
+void
+scene_add_voronoi_vertices (SceneDiagram *diagram)
+{
+  SceneBuilder *builder = diagram->builder;
+  const bool *is_dying = builder->frame->is_dying;
+  uint32_t i;
+
+  for (i = 0; i < diagram->voronoi->n_vertices; i++) {
+    const Point3 at = to_scene (diagram, diagram->voronoi->vertices[i].at);
+
+    if (is_inside (diagram, at)
+        && (is_dying[i] || scene_has_layer (builder, LAYER_VORONOI)))
+      scene_add_mark (builder,
+                      is_dying[i] ? ROLE_VORONOI_VERTEX_DYING
+                                  : ROLE_VORONOI_VERTEX,
+                      scene_vertex_object (builder, i), at, NULL);
+  }
+}
