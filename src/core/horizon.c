@@ -83,7 +83,7 @@ first_on_horizon (const HullBuilder *b, uint32_t *k)
     for (*k = 0; *k < 3; *k += 1)
       if (!is_visible (b, b->facets[b->visible[i]].neighbour[*k]))
         return b->visible[i];
-  assert (!"a site never sees the whole hull");
+  assert (false && "a site never sees the whole hull");
   return INDEX_NONE;
 }
 
