@@ -58,8 +58,7 @@ test_every_dress_of_a_line_is_read (void)
     "0.5\t;\t2\n",
     "  +.5 2.  \n",
     "5e-1,0.2E+1\r\n",
-    "\xef\xbb\xbf"
-    "0.5 2",
+    "\357\273\2770.5 2", /* after a byte order mark */
     "\n\n0.5 2\n\n",
     "# a\n  # b\n0.5 2",
     "#\xc3\xa9\n0.5 2",
