@@ -47,7 +47,7 @@ static const char *
 skip_exponent (const char *text)
 {
   const char *end = text + 1;
-  bool has_value;
+  bool has_value = false;
 
   if (*text != 'e' && *text != 'E')
     return text;
