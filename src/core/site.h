@@ -43,7 +43,7 @@ typedef struct Extent {
 
 /* Order from left to right, and upwards among sites of one x.
  *
- * Returns: less than, equal to or greater than 0, for qsort(). */
+ * Returns: -1, 0 or +1. */
 int site_compare (const Site *a, const Site *b);
 
 /* Copies @sites; a negative zero becomes zero.

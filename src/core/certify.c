@@ -1,0 +1,170 @@
+#include "certify-mesh.h"
+
+#include "memory.h"
+
+#include <stdlib.h>
+
+static const uint32_t *
+facet_sites (const Frame *frame, uint32_t facet)
+{
+  return frame->trace->facets[facet].site;
+}
+
+static Facing
+facet_facing (const Frame *frame, uint32_t facet)
+{
+  const Site *sites = frame->trace->set->sites;
+  const uint32_t *corner = facet_sites (frame, facet);
+
+  return facing (&sites[corner[0]], &sites[corner[1]], &sites[corner[2]]);
+}
+
+typedef uint32_t Corners[3];
+
+/* Returns: the sites of the standing facets; free with free(). */
+static Corners *
+list_standing (const Frame *frame, uint32_t *n_facets)
+{
+  Corners *facets = memory_new (frame->n_facets, sizeof *facets);
+
+  *n_facets = 0;
+  for (uint32_t i = 0; i < frame->n_facets; i += 1) {
+    const uint32_t *corner = facet_sites (frame, frame->facets[i].facet);
+
+    if ((frame->facets[i].roles & FACET_STANDS) == 0)
+      continue;
+    for (uint32_t k = 0; k < 3; k += 1)
+      facets[*n_facets][k] = corner[k];
+    *n_facets += 1;
+  }
+  return facets;
+}
+
+static bool
+check_hull (const Frame *frame, char why[CERTIFY_ROOM])
+{
+  const Delaunay *delaunay = &frame->delaunay;
+  uint32_t n_facets;
+  Corners *facets = list_standing (frame, &n_facets);
+  bool is_good = true;
+
+  if (delaunay->lift_dimension == 3)
+    is_good = certify_hull (delaunay->set, (const Corners *)facets, n_facets,
+                            delaunay->active, delaunay->n_active, why);
+  else if (delaunay->n_active > 0 && n_facets > 0)
+    is_good = certify_fault (why, "flat sites have facets");
+  free (facets);
+  return is_good;
+}
+
+static bool
+is_reversed (const uint32_t a[3], const uint32_t b[3])
+{
+  for (uint32_t k = 0; k < 3; k += 1)
+    if (a[0] == b[k] && a[1] == b[(k + 2) % 3] && a[2] == b[(k + 1) % 3])
+      return true;
+  return false;
+}
+
+/* Checks that every triangle is the shadow of its own facet. Both are as many
+ * by their counts. */
+static bool
+check_shadows (const Frame *frame, char why[CERTIFY_ROOM])
+{
+  const Delaunay *delaunay = &frame->delaunay;
+
+  for (uint32_t i = 0; i < delaunay->n_triangles; i += 1) {
+    const Triangle *triangle = &delaunay->triangles[i];
+
+    if (delaunay->lift_dimension < 3) {
+      if (triangle->facet != i)
+        return certify_fault (why, "triangle %u has a facet", i);
+    } else if ((frame_facet_roles (frame, triangle->facet) & FACET_STANDS) == 0
+               || !is_reversed (triangle->site,
+                                facet_sites (frame, triangle->facet)))
+      return certify_fault (why, "triangle %u is not a facet's shadow", i);
+  }
+  return true;
+}
+
+static bool
+check_count (const char *noun,
+             uint32_t n,
+             uint32_t expected,
+             char why[CERTIFY_ROOM])
+{
+  if (n != expected)
+    return certify_fault (why, "%u %s counted instead of %u", n, noun,
+                          expected);
+  return true;
+}
+
+/* Checks each standing facet's facing and their counts. */
+static bool
+check_facings (const Frame *frame, char why[CERTIFY_ROOM])
+{
+  const FrameCounts *counts = &frame->counts;
+  uint32_t n[FACING_VERTICAL + 1] = { 0 };
+
+  for (uint32_t i = 0; i < frame->n_facets; i += 1) {
+    const uint32_t facet = frame->facets[i].facet;
+
+    if (facet_facing (frame, facet) != frame->trace->facets[facet].facing)
+      return certify_fault (why, "f%u faces elsewhere", facet);
+    if ((frame->facets[i].roles & FACET_STANDS) != 0)
+      n[facet_facing (frame, facet)] += 1;
+  }
+  return check_count ("facets", counts->facets,
+                      counts->lower + counts->upper + counts->vertical, why)
+         && check_count ("lower facets", counts->lower, n[FACING_LOWER], why)
+         && check_count ("upper facets", counts->upper, n[FACING_UPPER], why)
+         && check_count ("vertical facets", counts->vertical,
+                         n[FACING_VERTICAL], why);
+}
+
+/* What the numbers of boundary sites and of extreme sites say of a whole
+ * hull. */
+static bool
+check_hull_counts (const Frame *frame, char why[CERTIFY_ROOM])
+{
+  const FrameCounts *counts = &frame->counts;
+  const uint32_t n = frame->delaunay.n_active;
+  const uint32_t n_boundary = frame->delaunay.n_boundary;
+  const uint32_t n_extreme = frame->delaunay.n_extreme;
+
+  if (frame->delaunay.lift_dimension < 3)
+    return true;
+  return check_count ("lower facets", counts->lower, 2 * n - 2 - n_boundary,
+                      why)
+         && check_count ("upper facets", counts->upper, n_extreme - 2, why)
+         && check_count ("vertical facets", counts->vertical,
+                         n_boundary - n_extreme, why);
+}
+
+static bool
+check_diagram_counts (const Frame *frame, char why[CERTIFY_ROOM])
+{
+  const FrameCounts *counts = &frame->counts;
+  const Delaunay *delaunay = &frame->delaunay;
+  const Voronoi *voronoi = &frame->voronoi;
+
+  return check_count ("sites", counts->n_inserted, delaunay->n_active, why)
+         && check_count ("triangles", counts->triangles, delaunay->n_triangles,
+                         why)
+         && check_count ("Delaunay edges", counts->delaunay_edges,
+                         delaunay->n_edges, why)
+         && check_count ("Voronoi vertices", counts->voronoi_vertices,
+                         voronoi->n_vertices, why)
+         && check_count ("Voronoi edges", counts->voronoi_edges,
+                         voronoi->n_edges, why)
+         && check_count ("rays", counts->rays, voronoi->n_rays, why);
+}
+
+bool
+certify_frame (const Frame *frame, char why[CERTIFY_ROOM])
+{
+  return certify_delaunay (&frame->delaunay, why)
+         && certify_voronoi (&frame->voronoi, why) && check_hull (frame, why)
+         && check_shadows (frame, why) && check_facings (frame, why)
+         && check_hull_counts (frame, why) && check_diagram_counts (frame, why);
+}
