@@ -1,4 +1,5 @@
-/* Site sets made by rule and seed, all on one power-of-two grid. */
+/* Site sets made by rule and seed, all on one power-of-two grid, inside the
+ * square -1 … 1. */
 #ifndef GENERATOR_H
 #define GENERATOR_H
 
@@ -8,12 +9,26 @@
 
 G_BEGIN_DECLS
 
+#define GENERATOR_MAX 20000       /* sites */
+#define GENERATOR_CIRCLE_MAX 8192 /* sites on one circle */
+
+#define GENERATOR_ERROR (generator_error_quark ())
+GQuark generator_error_quark (void);
+typedef enum GeneratorError {
+  GENERATOR_ERROR_COUNT, /* there is no such set */
+} GeneratorError;
+
 /* Each returns @n sites (transfer full), or NULL with @error set when there
  * is no such set; the message names the nearest n that exists. */
+
+/* Distinct sites, uniform in the square. The same everywhere. */
 Site *generator_random (guint n, guint64 seed, GError **error);
+
+/* Rows from below, each from the left. */
 Site *generator_grid (guint width, guint height, GError **error);
 
-/* Exactly co-circular: integer points of one circle, over a power of two. */
+/* Exactly co-circular: integer points of one circle, over a power of two,
+ * counter-clockwise. */
 Site *generator_circle (guint n, GError **error);
 
 /* Exactly collinear, not level, not evenly spaced. */

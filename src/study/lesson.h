@@ -27,6 +27,7 @@ typedef struct StopState StopState;
 /* One line of a steps block: a verb of the action registry, or expect. */
 typedef struct LessonCommand {
   guint line;          /* in the file, from 1 */
+  guint column;        /* of its first character, from 1 */
   char *text;          /* the line, trimmed */
   char *verb;          /* name of the action, or "expect" */
   GVariant *parameter; /* NULL: none; of expect: the rest of the line */

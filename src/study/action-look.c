@@ -1,0 +1,195 @@
+#include "action-private.h"
+#include "object-name.h"
+#include "words.h"
+
+#include <glib/gi18n.h>
+
+#define ZOOM_STEP 1.25
+
+static gboolean
+refuse (const char *rule,
+        const char *word,
+        const char *const *names,
+        GError **error)
+{
+  g_autofree char *hint = words_hint (word, names);
+  g_autofree char *list = g_strjoinv (", ", (char **)names);
+
+  g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER, rule, word, hint,
+               list);
+  return FALSE;
+}
+
+static gboolean
+refuse_layer (const char *word, GError **error)
+{
+  const char *names[N_LAYERS + 1] = { NULL };
+
+  for (guint i = 0; i < N_LAYERS; i++)
+    names[i] = layer_name ((Layer)(1u << i));
+  return refuse (_ ("there is no layer “%s”%s; the layers are %s"), word, names,
+                 error);
+}
+
+ACTION_RUN (action_show)
+{
+  const char *name = g_variant_get_string (parameter, NULL);
+  const guint layers = session_get_look (session)->layers;
+  Layer layer;
+
+  if (!layer_parse (name, &layer))
+    return refuse_layer (name, error);
+  session_set_layers (session,
+                      action->data ? layers | layer : layers & ~(guint)layer);
+  return TRUE;
+}
+
+ACTION_RUN (action_toggle_layer)
+{
+  session_set_layers (session,
+                      session_get_look (session)->layers ^ action->data);
+  return TRUE;
+}
+
+ACTION_RUN (action_focus)
+{
+  const char *name = g_variant_get_string (parameter, NULL);
+  const char *names[FOCUS_CONE + 2] = { NULL };
+  Focus focus;
+
+  if (focus_parse (name, &focus)) {
+    session_set_focus (session, focus);
+    return TRUE;
+  }
+  for (guint i = 0; i <= FOCUS_CONE; i++)
+    names[i] = focus_name ((Focus)i);
+  return refuse (_ ("nothing called “%s” can be in focus%s; write %s"), name,
+                 names, error);
+}
+
+/* Returns: why @object cannot be selected, translated, or NULL. */
+static const char *
+object_fault (Session *session, Object object)
+{
+  const Trace *trace = session_get_trace (session);
+  const guint step = session_get_step (session);
+
+  switch (object.kind) {
+  case OBJECT_NONE:
+    return NULL;
+  case OBJECT_SITE:
+    return object.number < trace->set->n_sites ? NULL
+                                               : _ ("there is no such site");
+  case OBJECT_FACET:
+  case OBJECT_VERTEX:
+    /* Without a simplex, triangles go by their own numbers. */
+    if (trace->is_flat)
+      return object.number < session_get_frame (session)->counts.triangles
+                 ? NULL
+                 : _ ("there is no such triangle");
+    if (object.number >= trace->n_facets)
+      return _ ("there is no such facet");
+    return trace->facets[object.number].span.birth <= step
+               ? NULL
+               : _ ("this facet is not born yet");
+  case OBJECT_RIDGE:
+    return object.number < trace->n_ridges ? NULL
+                                           : _ ("there is no such ridge");
+  }
+  return NULL;
+}
+
+ACTION_RUN (action_select)
+{
+  const char *name = g_variant_get_string (parameter, NULL);
+  const char *fault;
+  Object object;
+
+  if (!object_name_parse (name, &object))
+    fault = _ ("write s and the number of a site, f and that of a facet, v "
+               "and that of a Voronoi vertex, or none");
+  else
+    fault = object_fault (session, object);
+  if (fault == NULL) {
+    session_set_selection (session, object);
+    return TRUE;
+  }
+  g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
+               _ ("cannot select “%s”: %s"), name, fault);
+  return FALSE;
+}
+
+ACTION_RUN (action_select_next)
+{
+  const guint n_sites = session_get_set (session)->n_sites;
+  const Object old = session_get_look (session)->selection;
+  guint site = action->data ? 0 : n_sites - 1;
+
+  if (n_sites == 0) {
+    g_set_error (error, ACTION_ERROR, ACTION_ERROR_DISABLED,
+                 _ ("there is no site to select"));
+    return FALSE;
+  }
+  if (old.kind == OBJECT_SITE)
+    site = (old.number + (action->data ? 1 : n_sites - 1)) % n_sites;
+  session_set_selection (session, (Object){ OBJECT_SITE, site });
+  return TRUE;
+}
+
+ACTION_RUN (action_select_none)
+{
+  session_set_selection (session, (Object){ OBJECT_NONE, 0 });
+  return TRUE;
+}
+
+static void
+put_preset (Session *session, CameraPreset preset)
+{
+  Camera camera;
+
+  camera_init (&camera, preset);
+  session_set_camera (session, &camera);
+}
+
+ACTION_RUN (action_camera)
+{
+  const char *name = g_variant_get_string (parameter, NULL);
+  const char *names[N_CAMERA_PRESETS + 1] = { NULL };
+  CameraPreset preset;
+
+  if (camera_preset_parse (name, &preset)) {
+    put_preset (session, preset);
+    return TRUE;
+  }
+  for (guint i = 0; i < N_CAMERA_PRESETS; i++)
+    names[i] = camera_preset_name ((CameraPreset)i);
+  return refuse (_ ("there is no camera “%s”%s; the cameras are %s"), name,
+                 names, error);
+}
+
+ACTION_RUN (action_camera_preset)
+{
+  put_preset (session, (CameraPreset)action->data);
+  return TRUE;
+}
+
+ACTION_RUN (action_zoom)
+{
+  const double factor = action->data & ZOOM_IN ? ZOOM_STEP : 1 / ZOOM_STEP;
+  PlaneCamera plane = *session_get_plane_camera (session);
+  Camera camera = *session_get_camera (session);
+
+  plane.zoom = CLAMP (plane.zoom * factor, ZOOM_LEAST, ZOOM_MOST);
+  camera.zoom = CLAMP (camera.zoom * factor, ZOOM_LEAST, ZOOM_MOST);
+  if (action->data & ZOOM_PLANE)
+    session_set_plane_camera (session, &plane);
+  if (action->data & ZOOM_SPACE)
+    session_set_camera (session, &camera);
+  return TRUE;
+}
+
+ACTION_RUN (action_fit)
+{
+  session_fit (session);
+  return TRUE;
+}

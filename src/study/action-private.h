@@ -1,0 +1,93 @@
+/* The functions of the rows of the action table. What is in Action.data is
+ * said at each. */
+#ifndef ACTION_PRIVATE_H
+#define ACTION_PRIVATE_H
+
+#include "action.h"
+
+G_BEGIN_DECLS
+
+#define ACTION_RUN(name)                                                       \
+  gboolean name (const Action *action G_GNUC_UNUSED, Session *session,         \
+                 GVariant *parameter G_GNUC_UNUSED,                            \
+                 GError **error G_GNUC_UNUSED)
+
+/* data: 0 by the step size, else a Grain + 1 */
+ACTION_RUN (action_next);
+ACTION_RUN (action_back);
+ACTION_RUN (action_first);
+ACTION_RUN (action_last);
+ACTION_RUN (action_play);
+ACTION_RUN (action_step_size);
+ACTION_RUN (action_speed);
+ACTION_RUN (action_goto);
+ACTION_RUN (action_goto_step);
+ACTION_RUN (action_goto_stop);
+ACTION_RUN (action_next_stop);
+ACTION_RUN (action_previous_stop);
+
+ACTION_RUN (action_show);         /* data: whether to show */
+ACTION_RUN (action_toggle_layer); /* data: Layer */
+ACTION_RUN (action_focus);
+ACTION_RUN (action_select);
+ACTION_RUN (action_select_next); /* data: whether to go forwards */
+ACTION_RUN (action_select_none);
+ACTION_RUN (action_camera);
+ACTION_RUN (action_camera_preset); /* data: CameraPreset */
+ACTION_RUN (action_zoom);          /* data: ActionZoom bits */
+ACTION_RUN (action_fit);
+
+ACTION_RUN (action_add_site);
+ACTION_RUN (action_move_site);
+ACTION_RUN (action_remove_site);
+ACTION_RUN (action_delete_selection);
+ACTION_RUN (action_nudge);
+ACTION_RUN (action_sites);
+ACTION_RUN (action_new);
+ACTION_RUN (action_undo);
+ACTION_RUN (action_redo);
+
+#define ACTION_STATE(name)                                                     \
+  GVariant *name (const Action *action G_GNUC_UNUSED,                          \
+                  Session *session G_GNUC_UNUSED)
+
+ACTION_STATE (action_state_step);
+ACTION_STATE (action_state_n_steps);
+ACTION_STATE (action_state_round);
+ACTION_STATE (action_state_phase);
+ACTION_STATE (action_state_stop); /* from 1; 0: no lesson */
+ACTION_STATE (action_state_n_stops);
+ACTION_STATE (action_state_n_sites);
+ACTION_STATE (action_state_play);
+ACTION_STATE (action_state_step_size);
+ACTION_STATE (action_state_speed);
+ACTION_STATE (action_state_layer); /* data: Layer */
+ACTION_STATE (action_state_focus);
+ACTION_STATE (action_state_selection);
+
+#define ACTION_ENABLED(name)                                                   \
+  gboolean name (const Action *action G_GNUC_UNUSED, Session *session)
+
+ACTION_ENABLED (action_can_next); /* data as of action_next */
+ACTION_ENABLED (action_can_back);
+ACTION_ENABLED (action_can_play);
+ACTION_ENABLED (action_can_next_stop);
+ACTION_ENABLED (action_can_previous_stop);
+ACTION_ENABLED (action_has_sites);
+ACTION_ENABLED (action_has_selection);
+ACTION_ENABLED (action_has_selected_site);
+ACTION_ENABLED (action_can_undo);
+ACTION_ENABLED (action_can_redo);
+
+typedef enum ActionZoom {
+  ZOOM_PLANE = 1,
+  ZOOM_SPACE = 2,
+  ZOOM_IN = 4, /* else out */
+} ActionZoom;
+
+#define ZOOM_LEAST 0.1
+#define ZOOM_MOST 1e6
+
+G_END_DECLS
+
+#endif

@@ -1,0 +1,138 @@
+#include "action-private.h"
+#include "object-name.h"
+
+ACTION_STATE (action_state_step)
+{
+  return g_variant_new_uint32 (session_get_step (session));
+}
+
+ACTION_STATE (action_state_n_steps)
+{
+  return g_variant_new_uint32 (session_get_n_steps (session));
+}
+
+ACTION_STATE (action_state_round)
+{
+  return g_variant_new_uint32 (session_get_place (session).round);
+}
+
+ACTION_STATE (action_state_phase)
+{
+  return g_variant_new_string (phase_name (session_get_place (session).phase));
+}
+
+ACTION_STATE (action_state_stop)
+{
+  return g_variant_new_uint32 (session_get_lesson (session) == NULL
+                                   ? 0
+                                   : session_get_stop (session) + 1);
+}
+
+ACTION_STATE (action_state_n_stops)
+{
+  return g_variant_new_uint32 (session_get_n_stops (session));
+}
+
+ACTION_STATE (action_state_n_sites)
+{
+  return g_variant_new_uint32 (session_get_set (session)->n_sites);
+}
+
+ACTION_STATE (action_state_play)
+{
+  return g_variant_new_boolean (session_get_playing (session));
+}
+
+ACTION_STATE (action_state_step_size)
+{
+  return g_variant_new_string (
+      step_size_name (session_get_step_size (session)));
+}
+
+ACTION_STATE (action_state_speed)
+{
+  return g_variant_new_double (session_get_speed (session));
+}
+
+ACTION_STATE (action_state_layer)
+{
+  return g_variant_new_boolean (
+      (session_get_look (session)->layers & action->data) != 0);
+}
+
+ACTION_STATE (action_state_focus)
+{
+  return g_variant_new_string (focus_name (session_get_look (session)->focus));
+}
+
+ACTION_STATE (action_state_selection)
+{
+  char name[OBJECT_NAME_ROOM];
+
+  object_name_write (session_get_look (session)->selection, name);
+  return g_variant_new_string (name);
+}
+
+/* Whether next and back go by the stops of a lesson. */
+static gboolean
+goes_by_stops (const Action *action, Session *session)
+{
+  return action->data == 0 && session_get_lesson (session) != NULL
+         && session_get_step_size (session) == STEP_BEAT;
+}
+
+ACTION_ENABLED (action_can_next)
+{
+  return goes_by_stops (action, session)
+             ? action_can_next_stop (action, session)
+             : session_get_step (session) < session_get_n_steps (session);
+}
+
+ACTION_ENABLED (action_can_back)
+{
+  guint step;
+
+  if (!goes_by_stops (action, session))
+    return session_get_step (session) > 0;
+  /* Beyond a stop, back leads to that stop. */
+  return session_get_stop (session) > 0
+         || !session_get_stop_step (session, 0, &step)
+         || step != session_get_step (session);
+}
+
+ACTION_ENABLED (action_can_play) { return session_get_n_steps (session) > 0; }
+
+ACTION_ENABLED (action_can_next_stop)
+{
+  return session_get_stop (session) + 1 < session_get_n_stops (session);
+}
+
+ACTION_ENABLED (action_can_previous_stop)
+{
+  return session_get_stop (session) > 0;
+}
+
+ACTION_ENABLED (action_has_sites)
+{
+  return session_get_set (session)->n_sites > 0;
+}
+
+ACTION_ENABLED (action_has_selection)
+{
+  return session_get_look (session)->selection.kind != OBJECT_NONE;
+}
+
+ACTION_ENABLED (action_has_selected_site)
+{
+  return session_get_look (session)->selection.kind == OBJECT_SITE;
+}
+
+ACTION_ENABLED (action_can_undo)
+{
+  return session_get_undo_label (session) != NULL;
+}
+
+ACTION_ENABLED (action_can_redo)
+{
+  return session_get_redo_label (session) != NULL;
+}

@@ -1,0 +1,75 @@
+#include "run.h"
+
+#include "timeline.h"
+
+Run *
+run_new (const Site *sites, guint n_sites)
+{
+  const Order order = { ORDER_FURTHEST, 0 };
+  SiteSet *set = site_set_new (sites, n_sites);
+  Run *run;
+
+  if (set == NULL)
+    return NULL;
+  run = g_new0 (Run, 1);
+  run->reference_count = 1;
+  run->set = set;
+  run->trace = trace_record (set, &order);
+  return run;
+}
+
+Run *
+run_ref (Run *run)
+{
+  g_atomic_int_inc (&run->reference_count);
+  return run;
+}
+
+void
+run_unref (Run *run)
+{
+  if (!g_atomic_int_dec_and_test (&run->reference_count))
+    return;
+  trace_free (run->trace);
+  site_set_free (run->set);
+  g_free (run);
+}
+
+Site *
+run_given (const Run *run)
+{
+  Site *sites = g_new0 (Site, run->set->n_sites);
+
+  for (guint i = 0; i < run->set->n_sites; i++)
+    sites[i] = site_set_given (run->set, i);
+  return sites;
+}
+
+gboolean
+run_is_of (const Run *run, const Site *sites, guint n_sites)
+{
+  if (run->set->n_sites != n_sites)
+    return FALSE;
+  for (guint i = 0; i < n_sites; i++) {
+    const Site site = site_set_given (run->set, i);
+
+    if (site.x != sites[i].x || site.y != sites[i].y)
+      return FALSE;
+  }
+  return TRUE;
+}
+
+guint
+run_same_place (const Run *from, guint step, const Run *to)
+{
+  const Place place = timeline_place (from->trace, step);
+  guint start, to_start, to_end;
+
+  if (step == from->trace->n_events)
+    return to->trace->n_events;
+  if (!timeline_find (from->trace, place, true, &start)
+      || !timeline_find (to->trace, place, true, &to_start)
+      || !timeline_find (to->trace, place, false, &to_end))
+    return to->trace->n_events;
+  return MIN (to_start + (step - start), to_end);
+}

@@ -1,0 +1,38 @@
+/* A run: one set of sites and the trace of its hull, shared by reference.
+ * It never changes; an edit makes another. */
+#ifndef RUN_H
+#define RUN_H
+
+#include "trace.h"
+
+#include <glib.h>
+
+G_BEGIN_DECLS
+
+typedef struct Run {
+  int reference_count;
+  SiteSet *set;
+  Trace *trace;
+} Run;
+
+/* Returns: (transfer full): the run of @sites, furthest site first, or NULL
+ *          when no exact scaling fits them. */
+Run *run_new (const Site *sites, guint n_sites);
+Run *run_ref (Run *run);
+void run_unref (Run *run);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (Run, run_unref)
+
+/* Returns: (transfer full): the coordinates as given, n_sites of them. */
+Site *run_given (const Run *run);
+
+/* Returns: whether it is the run of exactly these sites. */
+gboolean run_is_of (const Run *run, const Site *sites, guint n_sites);
+
+/* Returns: the step of @to at the same place as @step of @from: as far into
+ *          the same phase of the same round. At the end it stays at the end,
+ *          and a place that does not exist becomes the end. */
+guint run_same_place (const Run *from, guint step, const Run *to);
+
+G_END_DECLS
+
+#endif

@@ -1,0 +1,299 @@
+#include "session-private.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+/* The snap grid has this many steps, as a power of two, from the centre of
+ * the view to its border. */
+#define GRID_BITS 6
+
+/* Returns: (transfer full): the run of @sites; the lesson's own when they are
+ *          the sites of its stop, so that its steps are valid again. */
+static Run *
+make_run (Session *session, const Site *sites, guint n_sites, GError **error)
+{
+  Run *run;
+
+  if (session->is_replaying)
+    session->n_sites_made += n_sites;
+  else if (session->lesson != NULL) {
+    run = lesson_stop (session->lesson, session->stop)->state->run;
+    if (run_is_of (run, sites, n_sites))
+      return run_ref (run);
+  }
+
+  run = run_new (sites, n_sites);
+  if (run == NULL)
+    g_set_error (error, SESSION_ERROR, SESSION_ERROR_RANGE,
+                 _ ("these coordinates are too far apart in size to be "
+                    "compared exactly"));
+  return run;
+}
+
+static Snapshot
+snapshot_of (const Run *run)
+{
+  return (Snapshot){ run_given (run), run->set->n_sites };
+}
+
+void
+session_remember (Session *session, const Run *before, char *edit)
+{
+  const Snapshot after = snapshot_of (session->run);
+
+  if (session->is_dragging && session->has_dragged) {
+    history_amend (session->history, after);
+    g_free (edit);
+    return;
+  }
+  history_push (session->history, snapshot_of (before), after, edit);
+  session->has_dragged = session->is_dragging;
+  session_tell (session, CHANGED_HISTORY);
+}
+
+/* Only sites keep their names through an edit; facets are numbered anew. */
+static Object
+keep_object (Object object, guint n_sites)
+{
+  if (object.kind == OBJECT_SITE && object.number < n_sites)
+    return object;
+  return (Object){ OBJECT_NONE, 0 };
+}
+
+/* Puts an edited run in place. Takes @run and @edit. */
+static void
+put_edit (Session *session, Run *run, char *edit)
+{
+  Run *before = run_ref (session->run);
+  const guint step
+      = session->is_dragging
+            ? run_same_place (session->drag_run, session->drag_step, run)
+            : run_same_place (session->run, session->step, run);
+
+  session_hold (session);
+  session_put_run (session, run, step);
+  if (session->is_replaying)
+    g_free (edit);
+  else
+    session_remember (session, before, edit);
+  session_set_hover (session,
+                     keep_object (session->look.hover, run->set->n_sites));
+  session_set_selection (
+      session, keep_object (session->look.selection, run->set->n_sites));
+  session_release (session);
+  run_unref (before);
+}
+
+gboolean
+session_set_sites (Session *session,
+                   const Site *sites,
+                   guint n_sites,
+                   GError **error)
+{
+  Run *run = make_run (session, sites, n_sites, error);
+
+  if (run == NULL)
+    return FALSE;
+  session_hold (session);
+  session_end_edit (session);
+  put_edit (session, run,
+            g_strdup (n_sites == 0 ? _ ("removal of all sites")
+                                   : _ ("replacement of all sites")));
+  session_put_step (session, run->trace->n_events);
+  session_set_selection (session, (Object){ OBJECT_NONE, 0 });
+  session_set_hover (session, (Object){ OBJECT_NONE, 0 });
+  session_fit (session);
+  session_release (session);
+  return TRUE;
+}
+
+gboolean
+session_add_site (Session *session, Site site, GError **error)
+{
+  const guint n_sites = session->run->set->n_sites;
+  g_autofree Site *sites = run_given (session->run);
+  Run *run;
+
+  sites = g_renew (Site, sites, n_sites + 1);
+  sites[n_sites] = site;
+  run = make_run (session, sites, n_sites + 1, error);
+  if (run == NULL)
+    return FALSE;
+  session_hold (session);
+  put_edit (session, run, g_strdup_printf (_ ("addition of s%u"), n_sites));
+  session_fit_extent (session, FALSE);
+  session_release (session);
+  return TRUE;
+}
+
+static gboolean
+has_site (Session *session, guint site, GError **error)
+{
+  const guint n_sites = session->run->set->n_sites;
+
+  if (site < n_sites)
+    return TRUE;
+  if (n_sites == 0)
+    g_set_error (error, SESSION_ERROR, SESSION_ERROR_SITE,
+                 _ ("there is no site s%u: there are no sites at all"), site);
+  else
+    g_set_error (error, SESSION_ERROR, SESSION_ERROR_SITE,
+                 _ ("there is no site s%u: the last is s%u"), site,
+                 n_sites - 1);
+  return FALSE;
+}
+
+gboolean
+session_move_site (Session *session, guint site, Site to, GError **error)
+{
+  g_autofree Site *sites = NULL;
+  Run *run;
+
+  if (!has_site (session, site, error))
+    return FALSE;
+  sites = run_given (session->run);
+  if (sites[site].x == to.x && sites[site].y == to.y)
+    return TRUE;
+  sites[site] = to;
+  run = make_run (session, sites, session->run->set->n_sites, error);
+  if (run == NULL)
+    return FALSE;
+  put_edit (session, run, g_strdup_printf (_ ("move of s%u"), site));
+  return TRUE;
+}
+
+/* The name that @object has once @site is gone. */
+static Object
+object_without (Object object, guint site)
+{
+  if (object.kind == OBJECT_SITE && object.number == site)
+    return (Object){ OBJECT_NONE, 0 };
+  if (object.kind == OBJECT_SITE && object.number > site)
+    object.number -= 1;
+  return object;
+}
+
+gboolean
+session_remove_site (Session *session, guint site, GError **error)
+{
+  g_autofree Site *sites = NULL;
+  guint n_sites;
+  Run *run;
+
+  if (!has_site (session, site, error))
+    return FALSE;
+  n_sites = session->run->set->n_sites - 1;
+  sites = run_given (session->run);
+  memmove (sites + site, sites + site + 1, (n_sites - site) * sizeof *sites);
+  run = make_run (session, sites, n_sites, error);
+  if (run == NULL)
+    return FALSE;
+  session_hold (session);
+  session_set_hover (session, object_without (session->look.hover, site));
+  session_set_selection (session,
+                         object_without (session->look.selection, site));
+  put_edit (session, run, g_strdup_printf (_ ("deletion of s%u"), site));
+  session_release (session);
+  return TRUE;
+}
+
+void
+session_begin_edit (Session *session)
+{
+  session_end_edit (session);
+  session->is_dragging = TRUE;
+  session->drag_run = run_ref (session->run);
+  session->drag_step = session->step;
+}
+
+void
+session_end_edit (Session *session)
+{
+  session->is_dragging = FALSE;
+  session->has_dragged = FALSE;
+  g_clear_pointer (&session->drag_run, run_unref);
+}
+
+/* Shows what the history tells; the place in time is kept. */
+static gboolean
+show_snapshot (Session *session, const Snapshot *snapshot)
+{
+  Run *run;
+
+  if (snapshot == NULL)
+    return FALSE;
+  /* They have been shown before, so their run exists. */
+  run = make_run (session, snapshot->sites, snapshot->n_sites, NULL);
+  session_hold (session);
+  session_put_run (session, run,
+                   run_same_place (session->run, session->step, run));
+  session_set_hover (session, (Object){ OBJECT_NONE, 0 });
+  session_set_selection (session, keep_object (session->look.selection,
+                                               session->run->set->n_sites));
+  session_fit_extent (session, FALSE);
+  session_tell (session, CHANGED_HISTORY);
+  session_release (session);
+  return TRUE;
+}
+
+gboolean
+session_undo (Session *session)
+{
+  session_end_edit (session);
+  return show_snapshot (session, history_undo (session->history));
+}
+
+gboolean
+session_redo (Session *session)
+{
+  session_end_edit (session);
+  return show_snapshot (session, history_redo (session->history));
+}
+
+const char *
+session_get_undo_label (Session *session)
+{
+  return history_undo_label (session->history);
+}
+
+const char *
+session_get_redo_label (Session *session)
+{
+  return history_redo_label (session->history);
+}
+
+/* The binary exponent of the grid, in units of SiteSet.sites. */
+static int
+grid_exponent (Session *session)
+{
+  const double zoom = MAX (session->plane_camera.zoom, 1);
+
+  return ilogb (session->look.extent.radius / zoom) - GRID_BITS;
+}
+
+double
+session_get_grid (Session *session)
+{
+  return ldexp (1, grid_exponent (session) + session->run->set->exponent);
+}
+
+static double
+snap (double coordinate, int exponent)
+{
+  const double steps = ldexp (coordinate, -exponent);
+
+  /* Beyond 2^53 steps doubles are coarser than the grid. */
+  return fabs (steps) < 0x1p53 ? ldexp (nearbyint (steps), exponent)
+                               : coordinate;
+}
+
+Site
+session_snap (Session *session, Site point)
+{
+  const int exponent = grid_exponent (session);
+  const int given = session->run->set->exponent;
+
+  return (Site){ ldexp (snap (point.x, exponent), given),
+                 ldexp (snap (point.y, exponent), given) };
+}

@@ -1,0 +1,335 @@
+#include "action.h"
+#include "expect.h"
+#include "session-private.h"
+
+#include <glib/gi18n.h>
+
+StopState *
+session_get_state (Session *session)
+{
+  StopState *state = g_new0 (StopState, 1);
+
+  state->run = run_ref (session->run);
+  state->step = session->step;
+  state->layers = session->look.layers;
+  state->focus = session->look.focus;
+  state->selection = session->look.selection;
+  state->extent = session->look.extent;
+  state->camera = session->camera;
+  return state;
+}
+
+void
+stop_state_free (StopState *state)
+{
+  run_unref (state->run);
+  g_free (state);
+}
+
+static gboolean
+is_same_camera (const Camera *a, const Camera *b)
+{
+  return a->turn.w == b->turn.w && a->turn.x == b->turn.x
+         && a->turn.y == b->turn.y && a->turn.z == b->turn.z
+         && a->centre.x == b->centre.x && a->centre.y == b->centre.y
+         && a->centre.z == b->centre.z && a->zoom == b->zoom
+         && a->pan_x == b->pan_x && a->pan_y == b->pan_y
+         && a->is_parallel == b->is_parallel;
+}
+
+/* The look of a stop. A camera that a person has turned since @from is kept
+ * unless the lesson turns it on the way; @from NULL: it is not kept. */
+static void
+put_look (Session *session, const StopState *from, const StopState *state)
+{
+  session_set_layers (session, state->layers);
+  session_set_focus (session, state->focus);
+  session_set_selection (session, state->selection);
+  if (from == NULL || !is_same_camera (&from->camera, &state->camera))
+    session_set_camera (session, &state->camera);
+}
+
+static void
+put_state (Session *session, const StopState *from, const StopState *state)
+{
+  session_hold (session);
+  session_end_edit (session);
+  if (session->run == state->run) {
+    session_put_step (session, state->step);
+  } else {
+    session_put_run (session, run_ref (state->run), state->step);
+    session_set_hover (session, (Object){ OBJECT_NONE, 0 });
+    plane_camera_init (&session->plane_camera);
+    session_tell (session, CHANGED_CAMERA);
+  }
+  session->look.extent = state->extent;
+  session_tell (session, CHANGED_LOOK);
+  put_look (session, from, state);
+  session_release (session);
+}
+
+static const StopState *
+state_of (Session *session, guint stop)
+{
+  return lesson_stop (session->lesson, stop)->state;
+}
+
+/* Returns: whether the sites shown are some stop's, not a person's. */
+static gboolean
+is_run_of_lesson (Session *session)
+{
+  if (session->lesson == NULL)
+    return FALSE;
+  if (session->run == session->lesson->start->run)
+    return TRUE;
+  for (guint i = 0; i < session_get_n_stops (session); i++)
+    if (session->run == state_of (session, i)->run)
+      return TRUE;
+  return FALSE;
+}
+
+/* Goes to a state; a person's sites that it replaces can be had back. */
+static void
+enter_state (Session *session,
+             const StopState *from,
+             const StopState *state,
+             const char *edit)
+{
+  Run *before = run_ref (session->run);
+  const gboolean is_persons
+      = before->set->n_sites > 0 && !is_run_of_lesson (session);
+
+  put_state (session, from, state);
+  if (is_persons)
+    session_remember (session, before, g_strdup (edit));
+  run_unref (before);
+}
+
+void
+session_set_lesson (Session *session, Lesson *lesson)
+{
+  Lesson *old = session->lesson;
+
+  if (lesson == old)
+    return;
+  session_hold (session);
+  if (lesson != NULL)
+    enter_state (session, NULL, lesson_stop (lesson_ref (lesson), 0)->state,
+                 _ ("opening of a lesson"));
+  session->lesson = lesson;
+  session->stop = 0;
+  g_clear_pointer (&old, lesson_unref);
+  session_set_playing (session, FALSE);
+  session_tell (session, CHANGED_LESSON);
+  session_release (session);
+}
+
+Lesson *
+session_get_lesson (Session *session)
+{
+  return session->lesson;
+}
+
+guint
+session_get_n_stops (Session *session)
+{
+  return session->lesson == NULL ? 0 : session->lesson->stops->len;
+}
+
+guint
+session_get_stop (Session *session)
+{
+  return session->stop;
+}
+
+gboolean
+session_set_stop (Session *session, guint stop)
+{
+  if (stop >= session_get_n_stops (session))
+    return FALSE;
+  session_hold (session);
+  enter_state (session, state_of (session, session->stop),
+               state_of (session, stop), _ ("return to the lesson's sites"));
+  session->stop = stop;
+  session_tell (session, CHANGED_LESSON);
+  session_release (session);
+  return TRUE;
+}
+
+gboolean
+session_get_stop_step (Session *session, guint stop, guint *step)
+{
+  if (stop >= session_get_n_stops (session)
+      || state_of (session, stop)->run != session->run)
+    return FALSE;
+  *step = state_of (session, stop)->step;
+  return TRUE;
+}
+
+/* Stops are passed in their order; one that leads back in time ends the way,
+ * and of several at one step the nearest is entered. */
+static guint
+stop_ahead (Session *session)
+{
+  guint stop = session->stop;
+  guint here, next;
+
+  while (session_get_stop_step (session, stop, &here)
+         && session_get_stop_step (session, stop + 1, &next) && here <= next
+         && next <= session->step) {
+    stop += 1;
+    if (next == session->step)
+      break;
+  }
+  return stop;
+}
+
+static guint
+stop_behind (Session *session)
+{
+  guint stop = session->stop;
+  guint here, previous;
+
+  while (stop > 0 && session_get_stop_step (session, stop, &here)
+         && session_get_stop_step (session, stop - 1, &previous)
+         && previous <= here && session->step < here)
+    stop -= 1;
+  return stop;
+}
+
+void
+session_follow_step (Session *session, guint old_step)
+{
+  guint stop;
+
+  if (session->lesson == NULL || session->is_replaying
+      || session->step == old_step)
+    return;
+  stop
+      = session->step > old_step ? stop_ahead (session) : stop_behind (session);
+  if (stop == session->stop)
+    return;
+  put_look (session, state_of (session, session->stop),
+            state_of (session, stop));
+  session->stop = stop;
+  session_tell (session, CHANGED_LESSON);
+}
+
+/* Names the place of a command in front of what went wrong. */
+static void
+blame_command (Session *session,
+               const LessonCommand *command,
+               GError *reason,
+               GError **error)
+{
+  g_set_error (error, LESSON_ERROR, LESSON_ERROR_BROKEN, "%s:%u:%u: %s",
+               session->lesson->path, command->line, command->column,
+               reason->message);
+  g_error_free (reason);
+}
+
+static gboolean
+play_command (Session *session,
+              const LessonCommand *command,
+              SessionExpect on_expect,
+              gpointer user,
+              GError **error)
+{
+  GError *reason = NULL;
+  g_autofree char *actual = NULL;
+  gboolean holds;
+
+  if (!g_str_equal (command->verb, "expect")) {
+    if (action_run (session, command->verb, command->parameter, &reason))
+      return TRUE;
+    blame_command (session, command, reason, error);
+    return FALSE;
+  }
+  if (on_expect != NULL) {
+    holds = expect_check (
+        session, g_variant_get_string (command->parameter, NULL), &actual);
+    on_expect (command, holds, actual, user);
+  }
+  return TRUE;
+}
+
+/* Every set that a lesson makes counts, so that none can run for long. */
+static gboolean
+has_few_sites (Session *session, const LessonCommand *command, GError **error)
+{
+  GError *reason;
+
+  if (state_of (session, session->stop) != NULL
+      || session->n_sites_made <= LESSON_MAX_SITES)
+    return TRUE;
+  reason = g_error_new (LESSON_ERROR, LESSON_ERROR_BROKEN,
+                        _ ("the sets of this lesson have more than %d sites "
+                           "together"),
+                        LESSON_MAX_SITES);
+  blame_command (session, command, reason, error);
+  return FALSE;
+}
+
+static gboolean
+play_commands (Session *session,
+               const LessonStop *stop,
+               SessionExpect on_expect,
+               gpointer user,
+               GError **error)
+{
+  for (guint i = 0; i < stop->commands->len; i++) {
+    const LessonCommand *command = g_ptr_array_index (stop->commands, i);
+
+    if (!play_command (session, command, on_expect, user, error)
+        || !has_few_sites (session, command, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
+gboolean
+session_play_stop (Session *session,
+                   guint stop,
+                   SessionExpect on_expect,
+                   gpointer user,
+                   GError **error)
+{
+  gboolean is_played;
+
+  g_return_val_if_fail (stop < session_get_n_stops (session), FALSE);
+  session_hold (session);
+  session->is_replaying = TRUE;
+  put_state (session, NULL,
+             stop == 0 ? session->lesson->start : state_of (session, stop - 1));
+  session->stop = stop;
+  is_played = play_commands (session, lesson_stop (session->lesson, stop),
+                             on_expect, user, error);
+  session->is_replaying = FALSE;
+  session_tell (session, CHANGED_LESSON);
+  session_release (session);
+  return is_played;
+}
+
+gboolean
+lesson_fill_states (Lesson *lesson, GError **error)
+{
+  g_autoptr (Session) session = session_new ();
+
+  /* Scaling fails only beyond the range, which the reader has checked. */
+  if (!session_set_sites (session, lesson->sites, lesson->n_sites, error))
+    return FALSE;
+  session_put_step (session, 0);
+  lesson->start = session_get_state (session);
+  session->lesson = lesson_ref (lesson);
+  session->n_sites_made = lesson->n_sites;
+
+  for (guint i = 0; i < lesson->stops->len; i++) {
+    LessonStop *stop = g_ptr_array_index (lesson->stops, i);
+
+    if (!session_play_stop (session, i, NULL, NULL, error))
+      return FALSE;
+    stop->state = session_get_state (session);
+    stop->step = stop->state->step;
+  }
+  return TRUE;
+}

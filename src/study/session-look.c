@@ -1,0 +1,106 @@
+#include "session-private.h"
+
+#include <math.h>
+
+const SceneLook *
+session_get_look (Session *session)
+{
+  return &session->look;
+}
+
+void
+session_set_layers (Session *session, guint layers)
+{
+  if (layers == session->look.layers)
+    return;
+  session->look.layers = layers;
+  session_tell (session, CHANGED_LOOK);
+}
+
+void
+session_set_focus (Session *session, Focus focus)
+{
+  if (focus == session->look.focus)
+    return;
+  session->look.focus = focus;
+  session_tell (session, CHANGED_LOOK);
+}
+
+void
+session_set_selection (Session *session, Object object)
+{
+  if (object_equal (object, session->look.selection))
+    return;
+  session->look.selection = object;
+  session_tell (session, CHANGED_LOOK);
+}
+
+void
+session_set_hover (Session *session, Object object)
+{
+  if (object_equal (object, session->look.hover))
+    return;
+  session->look.hover = object;
+  session_tell (session, CHANGED_LOOK);
+}
+
+const Camera *
+session_get_camera (Session *session)
+{
+  return &session->camera;
+}
+
+void
+session_set_camera (Session *session, const Camera *camera)
+{
+  session->camera = *camera;
+  session_tell (session, CHANGED_CAMERA);
+}
+
+const PlaneCamera *
+session_get_plane_camera (Session *session)
+{
+  return &session->plane_camera;
+}
+
+void
+session_set_plane_camera (Session *session, const PlaneCamera *camera)
+{
+  session->plane_camera = *camera;
+  session_tell (session, CHANGED_CAMERA);
+}
+
+static gboolean
+all_inside (const SiteSet *set, const Extent *extent)
+{
+  for (guint i = 0; i < set->n_sites; i++)
+    if (fabs (set->sites[i].x - extent->centre.x) > extent->radius
+        || fabs (set->sites[i].y - extent->centre.y) > extent->radius)
+      return FALSE;
+  return TRUE;
+}
+
+void
+session_fit_extent (Session *session, gboolean anyway)
+{
+  if (!anyway && all_inside (session->run->set, &session->look.extent))
+    return;
+  session->look.extent = site_set_extent (session->run->set);
+  session_tell (session, CHANGED_LOOK);
+}
+
+void
+session_fit (Session *session)
+{
+  const Quaternion turn = session->camera.turn;
+  const gboolean is_parallel = session->camera.is_parallel;
+
+  session_hold (session);
+  session_fit_extent (session, TRUE);
+  plane_camera_init (&session->plane_camera);
+  camera_init (&session->camera, CAMERA_HOME);
+  session->camera.turn = turn;
+  session->camera.is_parallel = is_parallel;
+  session_tell (session, CHANGED_CAMERA);
+  session_release (session);
+}

@@ -1,0 +1,70 @@
+/* The inside of a session, for the files session*.c alone. */
+#ifndef SESSION_PRIVATE_H
+#define SESSION_PRIVATE_H
+
+#include "history.h"
+#include "run.h"
+#include "session.h"
+#include "stop-state.h"
+
+G_BEGIN_DECLS
+
+struct _Session {
+  GObject parent_instance;
+
+  Run *run;
+  guint step;
+  Frame frame;
+  gboolean has_frame; /* frame is that of run and step */
+
+  SceneLook look;
+  Camera camera;
+  PlaneCamera plane_camera;
+
+  StepSize step_size;
+  double speed;
+  gboolean is_playing;
+
+  History *history;
+  gboolean is_dragging; /* between begin and end of an edit */
+  gboolean has_dragged; /* the history holds this drag already */
+  Run *drag_run;        /* as the drag began, with its step: a place lost */
+  guint drag_step;      /* on the way is found again */
+  Extent drag_extent;
+
+  Lesson *lesson;
+  guint stop;
+  gboolean is_replaying; /* a lesson's commands are carried out: no history,
+                            and the stop does not follow the step */
+
+  guint n_sites_made; /* by a lesson's commands, all sets together */
+
+  guint n_held;  /* session_hold() that are not released */
+  guint changes; /* told when the last one is */
+};
+
+/* Tells of changes, or gathers them while they are held. */
+void session_tell (Session *session, guint changes);
+void session_hold (Session *session);
+void session_release (Session *session);
+
+/* Puts another run in place, at @step. Takes @run. */
+void session_put_run (Session *session, Run *run, guint step);
+void session_put_step (Session *session, guint step);
+
+/* Fits the extent to the sites; without @anyway only when they are not all
+ * inside it. */
+void session_fit_extent (Session *session, gboolean anyway);
+
+/* Lets the stop follow the step from @old_step. */
+void session_follow_step (Session *session, guint old_step);
+
+/* Takes the state as it is; free with stop_state_free(). */
+StopState *session_get_state (Session *session);
+
+/* Remembers that a lesson's own sites took the place of others. */
+void session_remember (Session *session, const Run *before, char *edit);
+
+G_END_DECLS
+
+#endif

@@ -1,0 +1,363 @@
+#include "session-private.h"
+
+#include "narration.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+enum { SIGNAL_CHANGED, N_SIGNALS };
+
+static guint signals[N_SIGNALS];
+
+G_DEFINE_TYPE (Session, session, G_TYPE_OBJECT)
+
+G_DEFINE_QUARK (session - error - quark, session_error)
+
+static const char *const step_size_names[N_STEP_SIZES] = {
+  [STEP_BEAT] = "beat",
+  [STEP_PHASE] = "phase",
+  [STEP_EVENT] = "event",
+};
+
+const char *
+step_size_name (StepSize size)
+{
+  return step_size_names[size];
+}
+
+gboolean
+step_size_parse (const char *name, StepSize *size)
+{
+  for (StepSize i = 0; i < N_STEP_SIZES; i++)
+    if (g_str_equal (name, step_size_names[i])) {
+      *size = i;
+      return TRUE;
+    }
+  return FALSE;
+}
+
+static void
+session_init (Session *session)
+{
+  session->run = run_new (NULL, 0);
+  session->step = session->run->trace->n_events;
+  session->history = history_new ();
+  session->speed = 1;
+  session->look.layers = LAYERS_DEFAULT;
+  session->look.focus = FOCUS_ACTIVE;
+  session->look.raise = RAISE_DEFAULT;
+  session->look.extent = site_set_extent (session->run->set);
+  camera_init (&session->camera, CAMERA_HOME);
+  plane_camera_init (&session->plane_camera);
+}
+
+static void
+session_finalize (GObject *object)
+{
+  Session *session = HULL2VD_SESSION (object);
+
+  if (session->has_frame)
+    frame_clear (&session->frame);
+  g_clear_pointer (&session->run, run_unref);
+  g_clear_pointer (&session->drag_run, run_unref);
+  g_clear_pointer (&session->history, history_free);
+  g_clear_pointer (&session->lesson, lesson_unref);
+  G_OBJECT_CLASS (session_parent_class)->finalize (object);
+}
+
+static void
+session_class_init (SessionClass *class)
+{
+  G_OBJECT_CLASS (class)->finalize = session_finalize;
+  signals[SIGNAL_CHANGED]
+      = g_signal_new ("changed", G_TYPE_FROM_CLASS (class), G_SIGNAL_RUN_LAST,
+                      0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_UINT);
+}
+
+Session *
+session_new (void)
+{
+  return g_object_new (SESSION_TYPE, NULL);
+}
+
+void
+session_tell (Session *session, guint changes)
+{
+  session->changes |= changes;
+  if (session->n_held > 0 || session->changes == 0)
+    return;
+  changes = session->changes;
+  session->changes = 0;
+  g_signal_emit (session, signals[SIGNAL_CHANGED], 0, changes);
+}
+
+void
+session_hold (Session *session)
+{
+  session->n_held += 1;
+}
+
+void
+session_release (Session *session)
+{
+  g_assert (session->n_held > 0);
+  session->n_held -= 1;
+  session_tell (session, 0);
+}
+
+static void
+drop_frame (Session *session)
+{
+  if (session->has_frame)
+    frame_clear (&session->frame);
+  session->has_frame = FALSE;
+}
+
+void
+session_put_run (Session *session, Run *run, guint step)
+{
+  const int shift = session->run->set->exponent - run->set->exponent;
+  Extent *extent = &session->look.extent;
+
+  drop_frame (session);
+  run_unref (session->run);
+  session->run = run;
+  session->step = MIN (step, run->trace->n_events);
+  /* The extent is in units of SiteSet.sites: keep it where it was. */
+  extent->centre.x = ldexp (extent->centre.x, shift);
+  extent->centre.y = ldexp (extent->centre.y, shift);
+  extent->radius = ldexp (extent->radius, shift);
+  session_tell (session, CHANGED_SITES | CHANGED_STEP);
+}
+
+void
+session_put_step (Session *session, guint step)
+{
+  step = MIN (step, session->run->trace->n_events);
+  if (step == session->step)
+    return;
+  drop_frame (session);
+  session->step = step;
+  session_tell (session, CHANGED_STEP);
+}
+
+const SiteSet *
+session_get_set (Session *session)
+{
+  return session->run->set;
+}
+
+const Trace *
+session_get_trace (Session *session)
+{
+  return session->run->trace;
+}
+
+guint
+session_get_step (Session *session)
+{
+  return session->step;
+}
+
+guint
+session_get_n_steps (Session *session)
+{
+  return session->run->trace->n_events;
+}
+
+void
+session_set_step (Session *session, guint step)
+{
+  const guint old_step = session->step;
+
+  session_hold (session);
+  session_put_step (session, step);
+  session_follow_step (session, old_step);
+  session_release (session);
+}
+
+const Frame *
+session_get_frame (Session *session)
+{
+  if (!session->has_frame)
+    frame_init (&session->frame, session->run->trace, session->step);
+  session->has_frame = TRUE;
+  return &session->frame;
+}
+
+Place
+session_get_place (Session *session)
+{
+  return timeline_place (session->run->trace, session->step);
+}
+
+StepSize
+session_get_step_size (Session *session)
+{
+  return session->step_size;
+}
+
+void
+session_set_step_size (Session *session, StepSize size)
+{
+  if (size == session->step_size)
+    return;
+  session->step_size = size;
+  session_tell (session, CHANGED_PLAY);
+}
+
+static Grain
+grain_of (StepSize size)
+{
+  switch (size) {
+  case STEP_BEAT:
+    return GRAIN_ROUND;
+  case STEP_PHASE:
+    return GRAIN_PHASE;
+  case STEP_EVENT:
+    return GRAIN_EVENT;
+  }
+  return GRAIN_EVENT;
+}
+
+gboolean
+session_next (Session *session)
+{
+  const guint step = session->step;
+
+  if (session->step_size == STEP_BEAT && session->lesson != NULL)
+    return session_set_stop (session, session->stop + 1);
+  if (step == session->run->trace->n_events)
+    return FALSE;
+  session_set_step (session, timeline_next (session->run->trace, step,
+                                            grain_of (session->step_size)));
+  return TRUE;
+}
+
+/* Back from what was looked at beyond a stop leads to that stop first. */
+static gboolean
+previous_stop (Session *session)
+{
+  guint step;
+
+  if (session_get_stop_step (session, session->stop, &step)
+      && step == session->step)
+    return session->stop > 0 && session_set_stop (session, session->stop - 1);
+  return session_set_stop (session, session->stop);
+}
+
+gboolean
+session_back (Session *session)
+{
+  if (session->step_size == STEP_BEAT && session->lesson != NULL)
+    return previous_stop (session);
+  if (session->step == 0)
+    return FALSE;
+  session_set_step (session, timeline_back (session->run->trace, session->step,
+                                            grain_of (session->step_size)));
+  return TRUE;
+}
+
+void
+session_first (Session *session)
+{
+  session_hold (session);
+  if (session->lesson != NULL)
+    session_set_stop (session, 0);
+  session_put_step (session, 0);
+  session_release (session);
+}
+
+void
+session_last (Session *session)
+{
+  session_hold (session);
+  if (session->lesson != NULL)
+    session_set_stop (session, session_get_n_stops (session) - 1);
+  session_put_step (session, session->run->trace->n_events);
+  session_release (session);
+}
+
+static gboolean
+is_at_end (Session *session)
+{
+  if (session->step_size == STEP_BEAT && session->lesson != NULL)
+    return session->stop + 1 == session_get_n_stops (session);
+  return session->step == session->run->trace->n_events;
+}
+
+gboolean
+session_get_playing (Session *session)
+{
+  return session->is_playing;
+}
+
+void
+session_set_playing (Session *session, gboolean playing)
+{
+  if (playing == session->is_playing)
+    return;
+  session_hold (session);
+  session->is_playing = playing;
+  if (playing && is_at_end (session))
+    session_first (session);
+  session_tell (session, CHANGED_PLAY);
+  session_release (session);
+}
+
+double
+session_get_speed (Session *session)
+{
+  return session->speed;
+}
+
+void
+session_set_speed (Session *session, double speed)
+{
+  /* A speed that is not a number is not taken. */
+  if (!(speed == speed))
+    return;
+  speed = CLAMP (speed, SPEED_LEAST, SPEED_MOST);
+  if (speed == session->speed)
+    return;
+  session->speed = speed;
+  session_tell (session, CHANGED_PLAY);
+}
+
+guint
+session_get_tick_ms (Session *session)
+{
+  static const double milliseconds[N_STEP_SIZES] = {
+    [STEP_BEAT] = 3000,
+    [STEP_PHASE] = 1500,
+    [STEP_EVENT] = 600,
+  };
+
+  return (guint)(milliseconds[session->step_size] / session->speed);
+}
+
+void
+session_tick (Session *session)
+{
+  if (!session->is_playing)
+    return;
+  session_hold (session);
+  if (!session_next (session) || is_at_end (session))
+    session_set_playing (session, FALSE);
+  session_release (session);
+}
+
+static const char *
+translate (const char *english)
+{
+  return _ (english);
+}
+
+char *
+session_narrate (Session *session)
+{
+  char text[NARRATION_ROOM];
+
+  narration_write (session->run->trace, session->step, translate, text);
+  return g_strdup (text);
+}

@@ -1,0 +1,34 @@
+/* What a session is at a stop of its lesson, found by playing the lesson
+ * once: whichever way a stop is reached, this is put in place. */
+#ifndef STOP_STATE_H
+#define STOP_STATE_H
+
+#include "run.h"
+#include "session.h"
+
+G_BEGIN_DECLS
+
+struct StopState {
+  Run *run;
+  guint step;
+  guint layers;
+  Focus focus;
+  Object selection;
+  Extent extent;
+  Camera camera;
+};
+
+/* Copies what it holds; free with stop_state_free(). */
+StopState *stop_state_copy (const StopState *state);
+void stop_state_free (StopState *state);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (StopState, stop_state_free)
+
+/* Plays @lesson once in a session of its own, and fills the states and steps
+ * of its stops.
+ *
+ * Errors: LESSON_ERROR_BROKEN: a command cannot be carried out. */
+gboolean lesson_fill_states (Lesson *lesson, GError **error);
+
+G_END_DECLS
+
+#endif
