@@ -8,7 +8,8 @@ G_BEGIN_DECLS
 
 /* Returns: (transfer full): markup that pango_parse_markup() accepts;
  *          paragraphs are separated by an empty line, list items begin with
- *          a bullet or their number, raw HTML is left out. */
+ *          a bullet or their number, links become their words, raw HTML is
+ *          left out. */
 char *prose_to_markup (const char *commonmark);
 
 /* Returns: (transfer full): the words alone. */

@@ -1,0 +1,221 @@
+#include "document.h"
+
+#include "lesson-source.h"
+#include "site-file.h"
+
+#include <errno.h>
+#include <glib/gi18n.h>
+#include <glib/gstdio.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+G_DEFINE_QUARK (document - error - quark, document_error)
+
+gboolean
+document_is_lesson (const char *path)
+{
+  return g_str_has_suffix (path, ".md");
+}
+
+SiteSet *
+document_parse_points (const char *text,
+                       gsize length,
+                       const char *name,
+                       GError **error)
+{
+  g_autofree char *shown = NULL;
+  SiteFileError fault;
+  SiteSet *set = site_file_parse (text, length, &fault);
+
+  if (set != NULL)
+    return set;
+  shown = display_path (name);
+  if (fault.line == 0)
+    g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_REFUSED, "%s: %s", shown,
+                 fault.reason);
+  else
+    g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_REFUSED, "%s:%u: %s",
+                 shown, fault.line, fault.reason);
+  return NULL;
+}
+
+static gboolean
+refuse_file (DocumentError code, const char *path, int reason, GError **error)
+{
+  g_autofree char *shown = display_path (path);
+
+  g_set_error (error, DOCUMENT_ERROR, (gint)code, "%s: %s", shown,
+               g_strerror (reason));
+  return FALSE;
+}
+
+/* Reads to the end of @file, however long it is. */
+static char *
+read_stream (FILE *file, gsize *length)
+{
+  GString *text = g_string_new (NULL);
+  char bytes[1 << 16];
+  gsize n;
+
+  while ((n = fread (bytes, 1, sizeof bytes, file)) > 0)
+    g_string_append_len (text, bytes, (gssize)n);
+  *length = text->len;
+  return g_string_free (text, FALSE);
+}
+
+SiteSet *
+document_read_points (const char *path, GError **error)
+{
+  const gboolean is_input = g_str_equal (path, "-");
+  FILE *file = is_input ? stdin : g_fopen (path, "rbe");
+  g_autofree char *text = NULL;
+  gboolean has_failed;
+  gsize length;
+
+  if (file == NULL) {
+    refuse_file (DOCUMENT_ERROR_CANNOT_OPEN, path, errno, error);
+    return NULL;
+  }
+  errno = 0;
+  text = read_stream (file, &length);
+  has_failed = ferror (file) != 0;
+  if (has_failed)
+    refuse_file (DOCUMENT_ERROR_CANNOT_OPEN, path, errno, error);
+  if (!is_input)
+    fclose (file);
+  return has_failed ? NULL : document_parse_points (text, length, path, error);
+}
+
+static Site *
+given_sites (const SiteSet *set)
+{
+  Site *sites = g_new (Site, set->n_sites + 1);
+
+  for (guint i = 0; i < set->n_sites; i++)
+    sites[i] = site_set_given (set, i);
+  return sites;
+}
+
+static gboolean
+open_set (Session *session, SiteSet *set, GError **error)
+{
+  g_autofree Site *sites = given_sites (set);
+  const guint n_sites = set->n_sites;
+
+  site_set_free (set);
+  return session_set_sites (session, sites, n_sites, error);
+}
+
+static gboolean
+open_lesson (Session *session, const char *path, GError **error)
+{
+  g_autoptr (Lesson) lesson = lesson_load (path, error);
+
+  if (lesson == NULL)
+    return FALSE;
+  session_set_lesson (session, lesson);
+  return TRUE;
+}
+
+gboolean
+document_open (Session *session, const char *path, GError **error)
+{
+  SiteSet *set;
+
+  if (document_is_lesson (path))
+    return open_lesson (session, path, error);
+  set = document_read_points (path, error);
+  if (set == NULL)
+    return FALSE;
+  session_set_lesson (session, NULL);
+  return open_set (session, set, error);
+}
+
+gboolean
+document_paste (Session *session, const char *text, GError **error)
+{
+  SiteSet *set
+      = document_parse_points (text, strlen (text), _ ("clipboard"), error);
+
+  return set != NULL && open_set (session, set, error);
+}
+
+char *
+document_copy (Session *session)
+{
+  g_autofree char *copy = NULL;
+  char *text = NULL;
+  size_t length;
+  FILE *file = open_memstream (&text, &length);
+
+  g_assert (file != NULL);
+  g_assert (site_file_write (session_get_set (session), file));
+  fclose (file);
+  copy = g_strdup (text);
+  free (text);
+  return g_steal_pointer (&copy);
+}
+
+gboolean
+document_save (Session *session, const char *path, GError **error)
+{
+  g_autofree char *text = document_copy (session);
+
+  return document_write (path, text, strlen (text), error);
+}
+
+/* Writes to what is not a file: a device or a pipe. */
+static gboolean
+write_through (const char *path,
+               const char *bytes,
+               gsize length,
+               GError **error)
+{
+  FILE *file = g_fopen (path, "wbe");
+  gboolean is_written;
+  int reason;
+
+  if (file == NULL)
+    return refuse_file (DOCUMENT_ERROR_CANNOT_WRITE, path, errno, error);
+  errno = 0;
+  is_written = fwrite (bytes, 1, length, file) == length && fflush (file) == 0;
+  reason = errno;
+  if (fclose (file) != 0 && is_written) {
+    is_written = FALSE;
+    reason = errno;
+  }
+  return is_written
+         || refuse_file (DOCUMENT_ERROR_CANNOT_WRITE, path, reason, error);
+}
+
+gboolean
+document_write (const char *path,
+                const char *bytes,
+                gsize length,
+                GError **error)
+{
+  char *resolved = realpath (path, NULL);
+  g_autofree char *target = g_strdup (resolved == NULL ? path : resolved);
+  g_autofree char *shown = NULL;
+  g_autoptr (GError) reason = NULL;
+  int mode = 0666;
+  struct stat status;
+
+  free (resolved);
+  if (stat (target, &status) == 0) {
+    if (!S_ISREG (status.st_mode))
+      return write_through (path, bytes, length, error);
+    mode = status.st_mode & 07777;
+  }
+  if (g_file_set_contents_full (target, bytes, (gssize)length,
+                                G_FILE_SET_CONTENTS_CONSISTENT
+                                    | G_FILE_SET_CONTENTS_DURABLE,
+                                mode, &reason))
+    return TRUE;
+  shown = display_path (path);
+  g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_CANNOT_WRITE, "%s: %s",
+               shown, reason->message);
+  return FALSE;
+}
