@@ -30,11 +30,13 @@
 bool trace_file_write (const Trace *trace, Grain grain, FILE *file);
 
 typedef struct TraceFileError {
-  uint32_t line;
-  char reason[160];
+  uint32_t line;    /* from 1 */
+  char reason[160]; /* English, without a full stop */
 } TraceFileError;
 
-/* Reads the events of a trace file of GRAIN_EVENT and its sites.
+/* Reads the events of a trace file of GRAIN_EVENT and its sites. Every line
+ * must be written exactly as above; every event must be legal at its place
+ * and true of the sites.
  *
  * Owns:    the caller frees *@set and the trace, in the other order.
  * Returns: the trace, or NULL with *@error filled. */
