@@ -8,17 +8,17 @@
 
 /* Home: the eye's height above the plane and its turn to the right. */
 #define HOME_ELEVATION (18 * ACOS_MINUS_1 / 180)
-#define HOME_AZIMUTH (24 * ACOS_MINUS_1 / 180)
+#define HOME_AZIMUTH (20 * ACOS_MINUS_1 / 180)
 #define ACOS_MINUS_1 3.14159265358979323846
 
-/* The paraboloid stands raised by 0.7 and ends at u² + v² = 2 at the most.
+/* The paraboloid stands raised by 0.7 and ends at u² + v² = 2.2 at the most.
  * Half of what home shows of it, at the depth of the centre: */
-#define HOME_HALF_WIDTH 1.53
-#define HOME_HALF_HEIGHT 1.86
+#define HOME_HALF_WIDTH 1.6
+#define HOME_HALF_HEIGHT 1.9
 #define HOME_CENTRE 1.30
 
 /* From the centre to the eye, and to where depth ends; scene units. */
-#define EYE_DISTANCE 9.0
+#define EYE_DISTANCE 12.0
 #define DEPTH 8.0
 
 static const char *const preset_names[N_CAMERA_PRESETS] = {

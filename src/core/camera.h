@@ -58,7 +58,7 @@ typedef enum CameraPreset {
 #define N_CAMERA_PRESETS (CAMERA_SIDE + 1)
 
 /* Half the side of the square of the plane that space shows, scene units. */
-#define CAMERA_GROUND 1.16
+#define CAMERA_GROUND 1.1
 
 const char *camera_preset_name (CameraPreset preset); /* "look-up" … */
 bool camera_preset_parse (const char *name, CameraPreset *preset);

@@ -180,25 +180,36 @@ cut (const Side *side, Pixel *corners, uint32_t n)
 }
 
 uint32_t
+clip_polygon_to_rectangle (Pixel low, Pixel high, Pixel *corners, uint32_t n)
+{
+  const Side sides[4] = {
+    { { 1, 0 }, high.x },
+    { { -1, 0 }, -low.x },
+    { { 0, 1 }, high.y },
+    { { 0, -1 }, -low.y },
+  };
+  int i;
+
+  for (i = 0; i < 4 && n > 0; i++)
+    n = cut (&sides[i], corners, n);
+  return n < 3 ? 0 : n;
+}
+
+uint32_t
 clip_polygon (const Projection *projection,
               const Point3 *points,
               uint32_t n,
               double margin,
               Pixel *corners)
 {
-  const Side sides[4] = {
-    { { 1, 0 }, projection->width + margin },
-    { { -1, 0 }, margin },
-    { { 0, 1 }, projection->height + margin },
-    { { 0, -1 }, margin },
-  };
+  const Pixel low = { -margin, -margin };
+  const Pixel high
+      = { projection->width + margin, projection->height + margin };
   uint32_t i, n_corners;
 
   n_corners = polygon_before_eye (projection, points, n, corners);
   for (i = 0; i < n_corners; i++)
     if (!is_finite_pixel (corners[i]))
       return 0;
-  for (i = 0; i < 4 && n_corners > 0; i++)
-    n_corners = cut (&sides[i], corners, n_corners);
-  return n_corners < 3 ? 0 : n_corners;
+  return clip_polygon_to_rectangle (low, high, corners, n_corners);
 }

@@ -43,4 +43,11 @@ bool clip_point (const Projection *projection, Point3 point, Pixel *pixel);
  * Returns: false when nothing of it is left. */
 bool clip_to_rectangle (Pixel low, Pixel high, Pixel ends[2]);
 
+/* Cuts the convex polygon in @corners, with room for n + 4, to the rectangle
+ * low … high.
+ *
+ * Returns: the number of corners left. */
+uint32_t
+clip_polygon_to_rectangle (Pixel low, Pixel high, Pixel *corners, uint32_t n);
+
 #endif

@@ -47,7 +47,7 @@ parts_of_phase (Phase phase)
   case PHASE_CHOOSE:
     return PART_CHOICE | PART_APEX;
   case PHASE_SEE:
-    return PART_CHOICE | PART_VISIBLE | PART_APEX;
+    return PART_VISIBLE | PART_APEX;
   case PHASE_HORIZON:
     return PART_HORIZON | PART_VISIBLE | PART_APEX;
   case PHASE_CONE:
@@ -166,8 +166,6 @@ emphasis_of (const SceneBuilder *builder, Role role)
   if ((uint32_t)part_of[role] & builder->parts)
     return EMPHASIS_LOUD;
   if (builder->look->focus == FOCUS_NONE || is_mark)
-    return EMPHASIS_NORMAL;
-  if (builder->look->focus == FOCUS_ACTIVE && part_of[role] != PART_NONE)
     return EMPHASIS_NORMAL;
   return EMPHASIS_PALE;
 }

@@ -79,10 +79,10 @@ void scene_add_delaunay_edges (SceneBuilder *builder);
 void scene_add_cone_shadow (SceneBuilder *builder);
 
 /* The same in the plane, or in space when @lifted. */
-void scene_add_polygon (SceneBuilder *builder,
-                        Role role,
-                        uint32_t facet,
-                        bool lifted);
+SceneItem *scene_add_polygon (SceneBuilder *builder,
+                              Role role,
+                              uint32_t facet,
+                              bool lifted);
 void scene_add_edge (SceneBuilder *builder,
                      Role role,
                      Object object,

@@ -56,7 +56,7 @@ hull_depth (const Scene *scene,
   int i;
 
   if (item->shape == SHAPE_POLYGON)
-    is_near = scene_faces_eye (scene, item, projection);
+    is_near = item->is_two_sided || scene_faces_eye (scene, item, projection);
   else if (item->beside[0] == INDEX_NONE)
     return DEPTH_HULL_NEAR;
   for (i = 0; i < 2 && item->beside[i] != INDEX_NONE; i++) {

@@ -26,7 +26,7 @@ scene_is_new_apex (const SceneBuilder *builder, uint32_t site)
          && round_of (builder)->site == site;
 }
 
-void
+SceneItem *
 scene_add_polygon (SceneBuilder *builder,
                    Role role,
                    uint32_t facet,
@@ -38,6 +38,7 @@ scene_add_polygon (SceneBuilder *builder,
   scene_add (builder, SHAPE_POLYGON, role, (Object){ OBJECT_FACET, facet });
   for (k = 0; k < 3; k++)
     scene_add_point (builder, scene_at (builder, site[k], lifted));
+  return &builder->scene->items[builder->scene->n_items - 1];
 }
 
 void
@@ -256,7 +257,7 @@ scene_selected_facet (const SceneBuilder *builder)
 
   if (builder->event != NULL && builder->event->kind == EVENT_CLAIM)
     return builder->event->facet;
-  if (builder->is_round && (phase == PHASE_CHOOSE || phase == PHASE_SEE))
+  if (builder->is_round && phase == PHASE_CHOOSE)
     return round_of (builder)->facet;
   return INDEX_NONE;
 }

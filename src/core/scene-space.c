@@ -15,16 +15,19 @@
 
 static const Object no_object = { OBJECT_NONE, 0 };
 
+/* The ground's outline is drawn over the cells that it holds. */
 static void
-add_ground (SceneBuilder *builder)
+add_ground (SceneBuilder *builder, SceneShape shape)
 {
   const double g = CAMERA_GROUND;
+  const Point3 corners[4]
+      = { { -g, -g, 0 }, { g, -g, 0 }, { g, g, 0 }, { -g, g, 0 } };
+  const int n = shape == SHAPE_PATH ? 5 : 4;
+  int i;
 
-  scene_add (builder, SHAPE_POLYGON, ROLE_GROUND, no_object);
-  scene_add_point (builder, (Point3){ -g, -g, 0 });
-  scene_add_point (builder, (Point3){ g, -g, 0 });
-  scene_add_point (builder, (Point3){ g, g, 0 });
-  scene_add_point (builder, (Point3){ -g, g, 0 });
+  scene_add (builder, shape, ROLE_GROUND, no_object);
+  for (i = 0; i < n; i++)
+    scene_add_point (builder, corners[i % 4]);
 }
 
 /* Sites that leave the square, while they are dragged, have no foot on the
@@ -53,9 +56,10 @@ add_plane (SceneBuilder *builder)
   SceneDiagram *diagram = scene_diagram_new (builder, box);
 
   builder->pass = PASS_GROUND;
-  add_ground (builder);
+  add_ground (builder, SHAPE_POLYGON);
   if (scene_has_layer (builder, LAYER_VORONOI))
     scene_add_cells (diagram);
+  add_ground (builder, SHAPE_PATH);
   scene_add_triangles (builder);
   if (scene_has_layer (builder, LAYER_VORONOI))
     scene_add_voronoi_edges (diagram);
@@ -235,9 +239,10 @@ add_flat (SceneBuilder *builder)
   uint32_t i;
 
   for (i = 0; i < delaunay->n_triangles; i++)
-    scene_add_polygon (builder, ROLE_LOWER, i, true);
+    scene_add_polygon (builder, ROLE_LOWER, i, true)->is_two_sided = true;
   if (delaunay->dimension == 1 && delaunay->n_boundary > 2) {
-    scene_add (builder, SHAPE_POLYGON, ROLE_VERTICAL, no_object);
+    scene_add (builder, SHAPE_POLYGON, ROLE_VERTICAL, no_object)->is_two_sided
+        = true;
     for (i = 0; i < delaunay->n_boundary; i++)
       scene_add_point (builder,
                        scene_at (builder, delaunay->boundary[i], true));
@@ -274,10 +279,10 @@ add_lifts (SceneBuilder *builder)
   }
 }
 
-/* Where the upright line through @lift meets the plane of @corners; for a
- * vertical facet, the foot of the level line that meets it at a right angle. */
+/* The foot of the perpendicular from @lift on the plane of @corners: distances
+ * to one facet order the sites as QuickHull does. */
 static Point3
-drop_foot (const Point3 corners[3], bool is_vertical, Point3 lift)
+drop_foot (const Point3 corners[3], Point3 lift)
 {
   const Point3 a = corners[0], b = corners[1], c = corners[2];
   const Point3 d = { b.x - a.x, b.y - a.y, b.z - a.z };
@@ -286,23 +291,22 @@ drop_foot (const Point3 corners[3], bool is_vertical, Point3 lift)
       = { d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x };
   const double gap = (lift.x - a.x) * normal.x + (lift.y - a.y) * normal.y
                      + (lift.z - a.z) * normal.z;
-  const double level = normal.x * normal.x + normal.y * normal.y;
+  const double part
+      = gap / (normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
 
-  if (!is_vertical)
-    return (Point3){ lift.x, lift.y, lift.z - gap / normal.z };
-  return (Point3){ lift.x - gap * normal.x / level,
-                   lift.y - gap * normal.y / level, lift.z };
+  return (Point3){ lift.x - part * normal.x, lift.y - part * normal.y,
+                   lift.z - part * normal.z };
 }
 
 static void
 add_drop (SceneBuilder *builder, uint32_t facet, uint32_t site)
 {
-  const FacetRow *row = &builder->frame->trace->facets[facet];
-  const Point3 corners[3] = { scene_at (builder, row->site[0], true),
-                              scene_at (builder, row->site[1], true),
-                              scene_at (builder, row->site[2], true) };
+  const uint32_t *corner = scene_facet_sites (builder, facet);
+  const Point3 corners[3] = { scene_at (builder, corner[0], true),
+                              scene_at (builder, corner[1], true),
+                              scene_at (builder, corner[2], true) };
   const Point3 lift = scene_at (builder, site, true);
-  const Point3 foot = drop_foot (corners, row->facing == FACING_VERTICAL, lift);
+  const Point3 foot = drop_foot (corners, lift);
 
   if (isfinite (foot.x) && isfinite (foot.y) && isfinite (foot.z))
     scene_add_segment (builder, ROLE_DROP, no_object,

@@ -128,6 +128,7 @@ typedef struct SceneItem {
   uint32_t beside[2]; /* lines: items of the facets on both sides, or
                          INDEX_NONE */
   uint32_t hue;       /* ROLE_CELL: stays with its site */
+  bool is_two_sided;  /* a polygon that bounds nothing */
   const char *label;  /* marks: "s7", or NULL; owned by the scene */
 } SceneItem;
 

@@ -1,5 +1,10 @@
 /* The cairo painter: draws a scene as a projection shows it. The same code
- * paints the screen, exported pictures and reference images. */
+ * paints the screen, exported pictures and reference images.
+ *
+ *   const Projection projection = camera_projection (&camera, 400, 400);
+ *
+ *   painter_paint (cr, &scene, &projection, theme_get (THEME_LIGHT), 0);
+ */
 #ifndef PAINTER_H
 #define PAINTER_H
 
@@ -13,12 +18,19 @@ typedef enum PainterFlags {
 } PainterFlags;
 
 /* Paints into the rectangle 0, 0, width, height of @projection. Labels avoid
- * marks, lines and each other. Changes nothing. */
+ * marks, lines and each other; those that find no room are left out, but
+ * never the site in hand, nor what is lit. Nothing further than
+ * PAINTER_MARGIN px outside the rectangle reaches @cr.
+ *
+ * Cost: O(items · layers of paint); 1000 sites in about 20 ms.
+ */
 void painter_paint (cairo_t *cr,
                     const Scene *scene,
                     const Projection *projection,
                     const Theme *theme,
                     PainterFlags flags);
+
+#define PAINTER_MARGIN 24.0
 
 /* Draws the legend's sample of a role, centred in @width × @height. */
 void painter_swatch (

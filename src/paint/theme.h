@@ -1,44 +1,57 @@
 /* Themes: how each role looks. Painters take every colour, width and dash
- * from here and from nowhere else. */
+ * from here and from nowhere else. A further theme is a table more. */
 #ifndef THEME_H
 #define THEME_H
 
 #include "scene.h"
 
 typedef struct Colour {
-  double red, green, blue, alpha; /* 0 … 1, not premultiplied */
+  double red, green, blue, alpha; /* 0 … 1, sRGB, not premultiplied */
 } Colour;
 
 typedef enum Hatch {
   HATCH_NONE,
-  HATCH_RISING, /* strokes like / */
+  HATCH_RISING,  /* strokes like / */
+  HATCH_FALLING, /* strokes like \, further apart */
   HATCH_CROSSED,
 } Hatch;
 
 typedef enum MarkShape {
+  MARK_NONE,
   MARK_DOT,
-  MARK_RING, /* a dot with a ring round it */
+  MARK_HOLLOW, /* a ring */
+  MARK_RINGED, /* a ring with a second ring round it */
   MARK_DIAMOND,
-  MARK_CROSS,
+  MARK_CROSSED, /* a dot with a cross through it */
 } MarkShape;
 
-/* How a role looks. Lengths in px at scale 1. */
+/* How a role looks. Lengths in px at scale 1. A colour of alpha 0 is not
+ * painted. */
 typedef struct Style {
-  Colour fill; /* alpha 0: not filled */
+  Colour fill; /* of polygons and hollow marks */
   Hatch hatch; /* in the line colour */
-  Colour line; /* alpha 0: no outline */
+  Colour line; /* of outlines, paths, solid marks */
   double width;
-  double dash;   /* length of dashes, 0: solid */
-  double casing; /* whole width of a casing in the background colour, 0: none */
+  double dash, gap; /* of dashes; dash 0: solid. Dots: dash below width */
+  double casing;    /* whole width of a casing in the background colour; of
+                       marks: width of the ring round them; 0: none */
   MarkShape mark;
-  double mark_radius;
+  double radius;     /* of the mark */
+  Colour halo;       /* round an item that is lit */
+  double halo_width; /* on every side */
+  bool is_shaded;    /* facets: lighter where they face the eye */
 } Style;
 
 typedef struct Theme {
   const char *name;
   Colour background, text, selection, hover;
-  double text_px;     /* labels */
+  Colour apex_text;   /* label of the site in hand */
+  const char *font;   /* Pango family list of labels */
+  double text_px;     /* labels; that of the site in hand is larger */
   double line_factor; /* all widths are multiplied by it */
+  double hatch_px;    /* between two strokes */
+  double cell_lightness, cell_chroma; /* of the cells' hues, OKLCh */
+  double pale_line, pale_fill;        /* alpha of what is pale */
   Style styles[N_ROLES];
 } Theme;
 
@@ -46,13 +59,26 @@ typedef enum ThemeKind {
   THEME_LIGHT,
 } ThemeKind;
 
+#define N_THEMES (THEME_LIGHT + 1)
+
 const Theme *theme_get (ThemeKind kind);
 
 /* The style of @item: its role's, made pale or loud, lit or not. Cells take
- * a pale hue of their own. */
+ * a pale hue of their own, which stays with their site: neighbours in number
+ * are a golden angle apart. */
 Style theme_style (const Theme *theme, const SceneItem *item);
 
 /* Contrast ratio of two opaque colours, 1 … 21. Source: WCAG 2.1. */
 double colour_contrast (Colour a, Colour b);
+
+/* @top laid over the opaque @ground. */
+Colour colour_over (Colour top, Colour ground);
+
+/* Mixes @part of @b into @a, alpha stays. */
+Colour colour_mix (Colour a, Colour b, double part);
+
+/* An opaque colour of equal looks whatever its hue, in turns. Out of gamut
+ * it is clamped. Source: Ottosson 2020, OKLCh. */
+Colour colour_oklch (double lightness, double chroma, double hue);
 
 #endif

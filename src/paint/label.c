@@ -1,0 +1,218 @@
+#include "label.h"
+
+#include <glib.h>
+#include <math.h>
+#include <string.h>
+
+/* The raster: a cell is so many pixels wide and high. */
+#define CELL 2.0
+
+/* Ink in a cell: how bad it is to cover. */
+#define INK_LINE 3
+#define INK_HEAVY 12 /* lines of HEAVY_PX and more */
+#define INK_MARK 60
+#define INK_LABEL 255 /* counts as COST_LABEL */
+#define HEAVY_PX 2.2
+
+/* Places round a mark: directions, and distances in px. */
+#define N_DIRECTIONS 16
+#define N_DISTANCES 4
+#define DISTANCE_STEP 5.0
+#define TURN 6.28318530717958647692
+
+/* What a place costs besides ink; beyond the limit a label is left out. */
+#define COST_DISTANCE 8
+#define COST_OUTSIDE 4000
+#define COST_LIMIT 1400
+#define COST_LABEL 4000
+
+struct LabelSheet {
+  int columns, rows;
+  double width, height;
+  unsigned char *ink;
+};
+
+LabelSheet *
+label_sheet_new (double width, double height)
+{
+  LabelSheet *sheet = g_new0 (LabelSheet, 1);
+
+  sheet->width = width;
+  sheet->height = height;
+  sheet->columns = (int)ceil (width / CELL);
+  sheet->rows = (int)ceil (height / CELL);
+  sheet->ink = g_malloc0 ((gsize)sheet->columns * (gsize)sheet->rows);
+  return sheet;
+}
+
+void
+label_sheet_free (LabelSheet *sheet)
+{
+  g_free (sheet->ink);
+  g_free (sheet);
+}
+
+static void
+spill (LabelSheet *sheet, double x, double y, unsigned char ink)
+{
+  const int column = (int)floor (x / CELL), row = (int)floor (y / CELL);
+  unsigned char *cell;
+
+  if (column < 0 || column >= sheet->columns || row < 0 || row >= sheet->rows)
+    return;
+  cell = &sheet->ink[row * sheet->columns + column];
+  *cell = MAX (*cell, ink);
+}
+
+void
+label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px)
+{
+  const unsigned char ink = width_px >= HEAVY_PX ? INK_HEAVY : INK_LINE;
+  Pixel cut[2] = { ends[0], ends[1] };
+  double dx, dy;
+  int i, n;
+
+  if (!clip_to_rectangle ((Pixel){ 0, 0 },
+                          (Pixel){ sheet->width, sheet->height }, cut))
+    return;
+  dx = cut[1].x - cut[0].x;
+  dy = cut[1].y - cut[0].y;
+  n = (int)ceil (MAX (fabs (dx), fabs (dy)) / CELL) + 1;
+  for (i = 0; i <= n; i++)
+    spill (sheet, cut[0].x + dx * i / n, cut[0].y + dy * i / n, ink);
+}
+
+void
+label_sheet_mark (LabelSheet *sheet, Pixel at, double reach)
+{
+  double x, y;
+
+  for (y = -reach; y <= reach; y += CELL)
+    for (x = -reach; x <= reach; x += CELL)
+      if (x * x + y * y <= reach * reach)
+        spill (sheet, at.x + x, at.y + y, INK_MARK);
+}
+
+/* A label's rectangle in cells, within the sheet. */
+typedef struct Cells {
+  int left, right, top, bottom; /* right and bottom not in it */
+} Cells;
+
+static Cells
+cells_of (const LabelSheet *sheet, const Label *label, Pixel low)
+{
+  return (
+      Cells){ MAX ((int)floor (low.x / CELL), 0),
+              MIN ((int)ceil ((low.x + label->width) / CELL), sheet->columns),
+              MAX ((int)floor (low.y / CELL), 0),
+              MIN ((int)ceil ((low.y + label->height) / CELL), sheet->rows) };
+}
+
+static double
+ink_under (const LabelSheet *sheet, Cells cells)
+{
+  int row, column, sum = 0;
+
+  for (row = cells.top; row < cells.bottom; row++)
+    for (column = cells.left; column < cells.right; column++) {
+      const unsigned char ink = sheet->ink[row * sheet->columns + column];
+
+      sum += ink == INK_LABEL ? COST_LABEL : ink;
+    }
+  return sum;
+}
+
+static double
+cost_of (const LabelSheet *sheet, const Label *label, Pixel low)
+{
+  const bool is_inside = low.x >= 0 && low.y >= 0
+                         && low.x + label->width <= sheet->width
+                         && low.y + label->height <= sheet->height;
+
+  return ink_under (sheet, cells_of (sheet, label, low))
+         + (is_inside ? 0 : COST_OUTSIDE);
+}
+
+/* The rectangle that touches, in direction @angle, a circle of @radius round
+ * the mark. */
+static Pixel
+place_at (const Label *label, double angle, double radius)
+{
+  const double x = cos (angle), y = -sin (angle);
+
+  return (Pixel){ label->at.x + radius * x + (x - 1) * label->width / 2,
+                  label->at.y + radius * y + (y - 1) * label->height / 2 };
+}
+
+typedef struct Best {
+  double cost;
+  Pixel low;
+} Best;
+
+static void
+consider (const LabelSheet *sheet, const Label *label, Pixel low, Best *best)
+{
+  const double cost = best->cost > 0 ? cost_of (sheet, label, low) : INFINITY;
+
+  if (cost < best->cost)
+    *best = (Best){ cost, low };
+}
+
+/* Directions fan out from the upper right to both sides; nearer places and
+ * earlier directions win ties. */
+static Best
+find_place (const LabelSheet *sheet, const Label *label)
+{
+  Best best = { INFINITY, label->at };
+  int distance, i;
+
+  if (label->is_centred)
+    consider (sheet, label,
+              (Pixel){ label->at.x - label->width / 2,
+                       label->at.y - label->height / 2 },
+              &best);
+  for (distance = 0; distance < N_DISTANCES; distance++)
+    for (i = 0; i < N_DIRECTIONS; i++) {
+      const int side = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
+      const double angle = TURN / 8 + TURN * side / N_DIRECTIONS;
+      const double radius = label->reach + 1.5 + DISTANCE_STEP * distance;
+      Best here = { INFINITY, label->at };
+
+      consider (sheet, label, place_at (label, angle, radius), &here);
+      here.cost += COST_DISTANCE * distance + 0.1 * i;
+      if (here.cost < best.cost)
+        best = here;
+    }
+  return best;
+}
+
+static void
+place (LabelSheet *sheet, Label *label)
+{
+  const Best best = find_place (sheet, label);
+  const double limit = label->is_important ? COST_OUTSIDE : (double)COST_LIMIT;
+  Cells cells;
+  int row;
+
+  label->is_placed = best.cost < limit;
+  label->low = best.low;
+  if (!label->is_placed)
+    return;
+  cells = cells_of (sheet, label, best.low);
+  for (row = cells.top; row < cells.bottom && cells.right > cells.left; row++)
+    memset (&sheet->ink[row * sheet->columns + cells.left], INK_LABEL,
+            (size_t)(cells.right - cells.left));
+}
+
+void
+label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels)
+{
+  uint32_t i;
+
+  for (i = 0; i < n_labels; i++)
+    if (labels[i].is_important)
+      place (sheet, &labels[i]);
+  for (i = 0; i < n_labels; i++)
+    if (!labels[i].is_important)
+      place (sheet, &labels[i]);
+}

@@ -1,0 +1,38 @@
+/* Labels: where the names of marks go, so that they sit on no mark, on no
+ * line and on no other label if there is any room at all.
+ *
+ * What is painted leaves ink in a coarse raster; a label takes the place
+ * near its mark with the least ink, the important ones first. */
+#ifndef LABEL_H
+#define LABEL_H
+
+#include "clip.h"
+
+#include <cairo.h>
+
+typedef struct LabelSheet LabelSheet;
+
+/* A name to place. */
+typedef struct Label {
+  const char *text; /* borrowed */
+  Pixel at;         /* its mark */
+  double reach;     /* of the mark, px */
+  double width, height;
+  bool is_important; /* placed first, and never left out */
+  bool is_centred;   /* best right on its mark */
+  uint32_t item;     /* for the caller */
+  bool is_placed;    /* the result: */
+  Pixel low;         /* its upper left corner */
+} Label;
+
+LabelSheet *label_sheet_new (double width, double height);
+void label_sheet_free (LabelSheet *sheet);
+
+/* What labels should keep off. A heavier line is worse to cover. */
+void label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px);
+void label_sheet_mark (LabelSheet *sheet, Pixel at, double reach);
+
+/* Places all labels that find room. */
+void label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels);
+
+#endif

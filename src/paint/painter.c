@@ -1,0 +1,319 @@
+#include "painter-private.h"
+
+#include <glib.h>
+#include <math.h>
+
+/* In space what lies in the plane is drawn thinner than in the plane view, and
+ * lines behind the hull thinner and paler than those before it. */
+#define GROUND_WIDTH 0.62
+#define FAR_WIDTH 0.75
+#define FAR_ALPHA 0.5
+#define FAR_FILL 0.45
+
+/* Between the sites of a crowd; where there is less room, all is smaller. */
+#define ROOMY_PX 38.0
+#define SIZE_LEAST 0.25
+
+/* Shade of a facet seen edge-on; face-on it is 1. */
+#define SHADE_LEAST 0.78
+
+void
+painter_trace (Painter *painter, const SceneItem *item, double width)
+{
+  const Point3 *points = &painter->scene->points[item->first];
+  Pixel at = { NAN, NAN };
+  uint32_t i;
+
+  for (i = 0; i + 1 < item->n; i++) {
+    Pixel ends[2];
+
+    if (!clip_segment (painter->projection, &points[i], PAINTER_MARGIN, ends))
+      continue;
+    if (at.x != ends[0].x || at.y != ends[0].y)
+      cairo_move_to (painter->cr, ends[0].x, ends[0].y);
+    cairo_line_to (painter->cr, ends[1].x, ends[1].y);
+    at = ends[1];
+    if (painter->sheet != NULL)
+      label_sheet_line (painter->sheet, ends, width);
+  }
+}
+
+static void
+scale_style (Style *style, double size)
+{
+  style->width *= size;
+  style->casing *= size;
+  style->dash *= size;
+  style->gap *= size;
+}
+
+static void
+adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
+{
+  const SceneDepth depth = painter->depths[item - painter->scene->items];
+
+  if (!painter->scene->is_space)
+    return;
+  if (depth == DEPTH_GROUND || depth == DEPTH_UNDER) {
+    scale_style (style, GROUND_WIDTH);
+    if (item->object.kind == OBJECT_VERTEX)
+      style->radius *= GROUND_WIDTH;
+  }
+  if (depth != DEPTH_HULL_FAR && depth != DEPTH_CONE_FAR)
+    return;
+  if (item->shape == SHAPE_PATH) {
+    style->width *= FAR_WIDTH;
+    style->line.alpha *= FAR_ALPHA;
+  } else if (item->emphasis != EMPHASIS_LOUD) {
+    style->fill.alpha *= FAR_FILL;
+    style->line.alpha *= FAR_FILL;
+  }
+}
+
+/* The active set stays larger than the crowd. */
+static void
+adapt_to_crowd (const Painter *painter, const SceneItem *item, Style *style)
+{
+  const bool is_loud = item->emphasis == EMPHASIS_LOUD || item->lit != LIT_NONE;
+  const double size = is_loud ? sqrt (painter->size) : painter->size;
+
+  scale_style (style, size);
+  style->radius *= size;
+  if (item->role == ROLE_LIFT && !is_loud)
+    style->line.alpha *= size * size;
+}
+
+Style
+painter_style (const Painter *painter, const SceneItem *item)
+{
+  Style style = theme_style (painter->theme, item);
+
+  if (painter->size < 1)
+    adapt_to_crowd (painter, item, &style);
+  adapt_to_depth (painter, item, &style);
+  return style;
+}
+
+static Point3
+normal_of (const Point3 *points)
+{
+  const Point3 a = points[0], b = points[1], c = points[2];
+  const Point3 d = { b.x - a.x, b.y - a.y, b.z - a.z };
+  const Point3 e = { c.x - a.x, c.y - a.y, c.z - a.z };
+  const Point3 normal
+      = { d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x };
+  const double length
+      = sqrt (normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
+
+  return (Point3){ normal.x / length, normal.y / length, normal.z / length };
+}
+
+/* Light comes from the eye, a little from the upper left. */
+static Point3
+light_at (const Painter *painter, Point3 point)
+{
+  const double *m = painter->projection->matrix;
+  Point3 light = projection_to_eye (painter->projection, point);
+  const double right = hypot (m[0], hypot (m[4], m[8]));
+  const double up = hypot (m[1], hypot (m[5], m[9]));
+  double length;
+
+  light.x += 0.45 * m[1] / up - 0.35 * m[0] / right;
+  light.y += 0.45 * m[5] / up - 0.35 * m[4] / right;
+  light.z += 0.45 * m[9] / up - 0.35 * m[8] / right;
+  length = sqrt (light.x * light.x + light.y * light.y + light.z * light.z);
+  return (Point3){ light.x / length, light.y / length, light.z / length };
+}
+
+static void
+shade (const Painter *painter, const SceneItem *item, Style *style)
+{
+  const Point3 *points = &painter->scene->points[item->first];
+  const Point3 normal = normal_of (points);
+  const Point3 light = light_at (painter, points[0]);
+  const double cosine
+      = fabs (normal.x * light.x + normal.y * light.y + normal.z * light.z);
+  const Colour black = { 0, 0, 0, 1 };
+
+  if (isfinite (cosine))
+    style->fill
+        = colour_mix (style->fill, black, (1 - SHADE_LEAST) * (1 - cosine));
+}
+
+static void
+paint_polygon (Painter *painter, const SceneItem *item)
+{
+  Style style = painter_style (painter, item);
+  uint32_t n;
+
+  if (style.fill.alpha <= 0 && style.line.alpha <= 0 && style.halo.alpha <= 0)
+    return;
+  if (style.is_shaded && painter->scene->is_space && item->pass == PASS_HULL)
+    shade (painter, item, &style);
+  n = clip_polygon (painter->projection, &painter->scene->points[item->first],
+                    item->n, PAINTER_MARGIN, painter->corners);
+  if (n > 0)
+    brush_polygon (painter->cr, &style, painter->theme, painter->corners, n);
+}
+
+static void
+paint_path (Painter *painter, const SceneItem *item)
+{
+  const Style style = painter_style (painter, item);
+
+  if (style.line.alpha <= 0)
+    return;
+  painter_trace (painter, item, style.width);
+  brush_line (painter->cr, &style);
+}
+
+/* The casings of a chain of lines come before all its lines, or they would
+ * cut them where they meet.
+ *
+ * Returns: the item after the chain that begins at @first. */
+static uint32_t
+paint_casings (Painter *painter, uint32_t first)
+{
+  const Scene *scene = painter->scene;
+  uint32_t i;
+
+  for (i = first; i < scene->n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+    const Style style = painter_style (painter, item);
+
+    if (item->shape != SHAPE_PATH || !(style.casing > 0))
+      break;
+    painter_trace (painter, item, style.width);
+    brush_casing (painter->cr, &style, painter->theme);
+  }
+  return i;
+}
+
+static void
+paint_mark (Painter *painter, const SceneItem *item)
+{
+  const Style style = painter_style (painter, item);
+  Pixel at;
+
+  if (style.mark == MARK_NONE
+      || !clip_point (painter->projection, painter->scene->points[item->first],
+                      &at)
+      || at.x < -PAINTER_MARGIN || at.y < -PAINTER_MARGIN
+      || at.x > painter->projection->width + PAINTER_MARGIN
+      || at.y > painter->projection->height + PAINTER_MARGIN)
+    return;
+  brush_mark (painter->cr, &style, painter->theme, at);
+  if (painter->sheet != NULL)
+    label_sheet_mark (painter->sheet, at, brush_mark_reach (&style));
+}
+
+static void
+paint_depth (Painter *painter, SceneDepth depth)
+{
+  const Scene *scene = painter->scene;
+  uint32_t i, cased = 0;
+
+  for (i = 0; i < scene->n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+
+    if (painter->depths[i] != (unsigned char)depth)
+      continue;
+    switch (item->shape) {
+    case SHAPE_POLYGON:
+      paint_polygon (painter, item);
+      break;
+    case SHAPE_PATH:
+      if (i >= cased)
+        cased = MAX (paint_casings (painter, i), i + 1);
+      paint_path (painter, item);
+      break;
+    case SHAPE_MARK:
+      paint_mark (painter, item);
+      break;
+    }
+  }
+}
+
+static void
+paint_background (const Painter *painter)
+{
+  brush_colour (painter->cr, painter->theme->background);
+  cairo_rectangle (painter->cr, 0, 0, painter->projection->width,
+                   painter->projection->height);
+  cairo_fill (painter->cr);
+}
+
+/* How large marks and lines may be, that one can still tell them apart where
+ * @n_sites share the view. */
+static double
+size_in_crowd (const Painter *painter, uint32_t n_sites)
+{
+  const double area = painter->projection->width * painter->projection->height;
+  const double spacing = sqrt (area / MAX (n_sites, 1));
+
+  return CLAMP (spacing / ROOMY_PX, SIZE_LEAST, 1);
+}
+
+static void
+painter_init (Painter *painter)
+{
+  const Scene *scene = painter->scene;
+  uint32_t i, n_corners = 0, n_sites = 0;
+
+  painter->depths = g_new (unsigned char, MAX (scene->n_items, 1));
+  for (i = 0; i < scene->n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+
+    painter->depths[i]
+        = (unsigned char)scene_depth (scene, item, painter->projection);
+    if (item->shape == SHAPE_POLYGON)
+      n_corners = MAX (n_corners, item->n);
+    if (item->shape == SHAPE_MARK && item->role >= ROLE_SITE)
+      n_sites++;
+  }
+  painter->size = size_in_crowd (painter, n_sites);
+  painter->corners = g_new (Pixel, CLIP_ROOM (n_corners));
+  if (scene->n_labels > 0)
+    painter->sheet = label_sheet_new (painter->projection->width,
+                                      painter->projection->height);
+}
+
+static void
+painter_clear (Painter *painter)
+{
+  g_free (painter->depths);
+  g_free (painter->corners);
+  if (painter->sheet != NULL)
+    label_sheet_free (painter->sheet);
+}
+
+void
+painter_paint (cairo_t *cr,
+               const Scene *scene,
+               const Projection *projection,
+               const Theme *theme,
+               PainterFlags flags)
+{
+  Painter painter
+      = { .cr = cr, .scene = scene, .projection = projection, .theme = theme };
+  int depth;
+
+  painter_init (&painter);
+  cairo_save (cr);
+  cairo_new_path (cr);
+  cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_antialias (cr, flags & PAINTER_FAST ? CAIRO_ANTIALIAS_NONE
+                                                : CAIRO_ANTIALIAS_FAST);
+  if (!(flags & PAINTER_CLEAR))
+    paint_background (&painter);
+  for (depth = 0; depth < N_SCENE_DEPTHS; depth++) {
+    if (depth == DEPTH_SHEET_FAR || depth == DEPTH_SHEET_NEAR)
+      painter_paint_sheet (&painter, depth == DEPTH_SHEET_NEAR);
+    else
+      paint_depth (&painter, (SceneDepth)depth);
+  }
+  if (painter.sheet != NULL)
+    painter_paint_labels (&painter);
+  cairo_restore (cr);
+  painter_clear (&painter);
+}

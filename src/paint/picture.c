@@ -1,0 +1,114 @@
+#include "picture.h"
+
+#include <glib.h>
+
+#define SIDE 480.0
+#define FRAME_INSET 6.0 /* from the border of the picture to the plane's */
+
+void
+picture_init (Picture *picture, PictureView view, const Frame *frame)
+{
+  *picture = (Picture){ .view = view,
+                        .width = view == PICTURE_BOTH ? 2 * SIDE : SIDE,
+                        .height = SIDE,
+                        .theme = theme_get (THEME_LIGHT) };
+  scene_look_init (&picture->look, frame);
+  camera_init (&picture->camera, CAMERA_HOME);
+  plane_camera_init (&picture->plane_camera);
+}
+
+static void
+paint_plane (const Picture *picture,
+             const Frame *frame,
+             cairo_t *cr,
+             double width)
+{
+  const Projection projection = plane_camera_projection (
+      &picture->plane_camera, width, picture->height);
+  SceneLook look = picture->look;
+  Scene scene = { 0 };
+
+  scene_look_fit (&look, &projection, FRAME_INSET);
+  scene_plane (&scene, frame, &look);
+  painter_paint (cr, &scene, &projection, picture->theme, PAINTER_CLEAR);
+  scene_clear (&scene);
+}
+
+static void
+paint_space (const Picture *picture,
+             const Frame *frame,
+             cairo_t *cr,
+             double width)
+{
+  const Projection projection
+      = camera_projection (&picture->camera, width, picture->height);
+  Scene scene = { 0 };
+
+  scene_space (&scene, frame, &picture->look);
+  painter_paint (cr, &scene, &projection, picture->theme, PAINTER_CLEAR);
+  scene_clear (&scene);
+}
+
+static void
+paint_background (const Picture *picture, cairo_t *cr)
+{
+  const Colour colour = picture->theme->background;
+
+  cairo_set_source_rgb (cr, colour.red, colour.green, colour.blue);
+  cairo_rectangle (cr, 0, 0, picture->width, picture->height);
+  cairo_fill (cr);
+}
+
+/* Each half is clipped: without, far marks of one view would stand in the
+ * other. */
+static void
+paint_both (const Picture *picture, const Frame *frame, cairo_t *cr)
+{
+  const double half = picture->width / 2;
+  int i;
+
+  for (i = 0; i < 2; i++) {
+    cairo_save (cr);
+    cairo_rectangle (cr, i * half, 0, half, picture->height);
+    cairo_clip (cr);
+    cairo_translate (cr, i * half, 0);
+    if (i == 0)
+      paint_plane (picture, frame, cr, half);
+    else
+      paint_space (picture, frame, cr, half);
+    cairo_restore (cr);
+  }
+}
+
+void
+picture_paint (const Picture *picture, const Frame *frame, cairo_t *cr)
+{
+  paint_background (picture, cr);
+  switch (picture->view) {
+  case PICTURE_PLANE:
+    paint_plane (picture, frame, cr, picture->width);
+    break;
+  case PICTURE_SPACE:
+    paint_space (picture, frame, cr, picture->width);
+    break;
+  case PICTURE_BOTH:
+    paint_both (picture, frame, cr);
+    break;
+  }
+}
+
+bool
+picture_format_of (const char *path, PictureFormat *format)
+{
+  static const char *const endings[] = { ".svg", ".pdf", ".png" };
+  g_autofree char *lower = g_ascii_strdown (path, -1);
+  int i;
+
+  for (i = 0; i <= PICTURE_PNG; i++) {
+    if (!g_str_has_suffix (lower, endings[i]))
+      continue;
+    *format = (PictureFormat)i;
+    return true;
+  }
+  return false;
+}

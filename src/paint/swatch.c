@@ -1,0 +1,88 @@
+#include "brush.h"
+#include "painter.h"
+
+#include <glib.h>
+
+/* What a role is drawn as. */
+typedef enum Sample {
+  SAMPLE_AREA,
+  SAMPLE_LINE,
+  SAMPLE_CIRCLE,
+  SAMPLE_MARK,
+} Sample;
+
+static Sample
+sample_of (Role role)
+{
+  if (role >= ROLE_VORONOI_VERTEX)
+    return SAMPLE_MARK;
+  if (role >= ROLE_CIRCLE && role <= ROLE_CIRCLE_SELECTED)
+    return SAMPLE_CIRCLE;
+  if (role == ROLE_GROUND || role == ROLE_RIM || role == ROLE_SELECTED_FACET
+      || role == ROLE_RETIRED || role >= ROLE_VORONOI_EDGE)
+    return SAMPLE_LINE;
+  return SAMPLE_AREA;
+}
+
+/* A facet of the legend has a border in a darker shade of itself. */
+static void
+paint_area (cairo_t *cr,
+            const Style *style,
+            const Theme *theme,
+            const double size[2])
+{
+  const Pixel corners[4] = { { 1, 1 },
+                             { size[0] - 1, 1 },
+                             { size[0] - 1, size[1] - 1 },
+                             { 1, size[1] - 1 } };
+  const Colour black = { 0, 0, 0, 1 };
+  Style bordered = *style;
+
+  bordered.width = 1.4;
+  if (style->line.alpha <= 0) {
+    bordered.line = colour_mix (style->fill, black, 0.35);
+    bordered.line.alpha = 1;
+  }
+  brush_polygon (cr, &bordered, theme, corners, 4);
+}
+
+static void
+trace_sample (cairo_t *cr, Sample sample, const double size[2])
+{
+  if (sample == SAMPLE_CIRCLE) {
+    const double radius = MIN (size[0], size[1]) / 2 - 1.5;
+
+    cairo_new_sub_path (cr);
+    cairo_arc (cr, size[0] / 2, size[1] / 2, radius, 0, 2 * G_PI);
+    return;
+  }
+  cairo_move_to (cr, 2, size[1] / 2);
+  cairo_line_to (cr, size[0] - 2, size[1] / 2);
+}
+
+void
+painter_swatch (
+    cairo_t *cr, Role role, const Theme *theme, double width, double height)
+{
+  const SceneItem item = { .role = role, .emphasis = EMPHASIS_NORMAL };
+  const Style style = theme_style (theme, &item);
+  const double size[2] = { width, height };
+  const Sample sample = sample_of (role);
+
+  cairo_save (cr);
+  cairo_new_path (cr);
+  cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
+  if (sample == SAMPLE_MARK) {
+    brush_mark (cr, &style, theme, (Pixel){ width / 2, height / 2 });
+  } else if (sample == SAMPLE_AREA) {
+    paint_area (cr, &style, theme, size);
+  } else {
+    if (style.casing > 0) {
+      trace_sample (cr, sample, size);
+      brush_casing (cr, &style, theme);
+    }
+    trace_sample (cr, sample, size);
+    brush_line (cr, &style);
+  }
+  cairo_restore (cr);
+}
