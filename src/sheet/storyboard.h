@@ -9,8 +9,10 @@
 
 G_BEGIN_DECLS
 
-/* Plays the session's lesson (or, without one, its rounds) and writes a page
- * for every four stops, A4, with metadata and outline.
+/* Plays the session's lesson (or, without one, its rounds, of very many a
+ * choice) and writes an A4 page for every four stops, with metadata and an
+ * outline. The session is left at the step and stop where it was. The same
+ * lesson gives the same bytes.
  *
  * Returns: FALSE with @error set when writing failed. */
 gboolean storyboard_write (Session *session, FILE *file, GError **error);
