@@ -31,7 +31,7 @@ def failures_of_output(stdout):
                 n_passed += 1
         elif line.startswith("Bail out!"):
             failed.append(line)
-    if n_planned is None:
+    if not n_planned:
         failed.append("it planned no subtests")
     else:
         n_missing = n_planned - n_passed - len(failed)

@@ -25,6 +25,22 @@ write_trace (const Trace *trace)
   return text;
 }
 
+/* Names the first line that differs. */
+static void
+assert_same_lines (const char *name, const char *text, const char *expected)
+{
+  g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
+  g_auto (GStrv) golden_lines = g_strsplit (expected, "\n", -1);
+  guint i = 0;
+
+  while (lines[i] != NULL && g_strcmp0 (lines[i], golden_lines[i]) == 0)
+    i += 1;
+  if (g_strcmp0 (lines[i], golden_lines[i]) != 0)
+    g_error ("%s.trace:%u: \"%s\" was \"%s\"", name, i + 1,
+             lines[i] == NULL ? "" : lines[i],
+             golden_lines[i] == NULL ? "" : golden_lines[i]);
+}
+
 static void
 assert_golden (const char *name)
 {
@@ -35,7 +51,7 @@ assert_golden (const char *name)
 
   if (!g_file_get_contents (path, &expected, NULL, NULL))
     g_error ("%s cannot be read", path);
-  g_assert_cmpstr (text, ==, expected);
+  assert_same_lines (name, text, expected);
   free (text);
 }
 
