@@ -3,27 +3,29 @@
 #include "memory.h"
 
 #include <assert.h>
+#include <stddef.h>
 
 static void
 add_visible (HullBuilder *b, uint32_t facet, uint32_t apex)
 {
+  HullFacet *row = &b->facets[facet];
+
   if (b->n_visible == b->visible_room)
     b->visible = memory_grow (b->visible, &b->visible_room, b->n_visible + 1,
                               sizeof *b->visible);
   b->visible[b->n_visible++] = facet;
-  b->facets[facet].tested = b->round;
-  b->facets[facet].is_visible = true;
-  hull_tell (b, EVENT_VISIBLE, facet, apex);
+  row->mark = b->round;
+  hull_tell (b, EVENT (EVENT_VISIBLE, facet, apex));
 }
 
-static bool
+static inline bool
 is_visible (const HullBuilder *b, uint32_t facet)
 {
-  return b->facets[facet].tested == b->round && b->facets[facet].is_visible;
+  return b->facets[facet].mark == b->round;
 }
 
 /* Finds the visible facets breadth first from one of them: they are
- * connected. Each facet is tested once. */
+ * connected. */
 void
 horizon_collect_visible (HullBuilder *b, uint32_t facet, uint32_t apex)
 {
@@ -33,58 +35,25 @@ horizon_collect_visible (HullBuilder *b, uint32_t facet, uint32_t apex)
   add_visible (b, facet, apex);
   for (i = 0; i < b->n_visible; i++)
     for (k = 0; k < 3; k++) {
-      const uint32_t neighbour = b->facets[b->visible[i]].neighbour[k];
+      const uint32_t neighbour = b->facets[b->visible[i]].across[k] >> 2;
 
-      if (b->facets[neighbour].tested == b->round)
-        continue;
-      b->facets[neighbour].tested = b->round;
-      b->facets[neighbour].is_visible = false;
-      if (hull_sees (b, apex, neighbour))
+      if (!is_visible (b, neighbour) && hull_sees (b, apex, neighbour))
         add_visible (b, neighbour, apex);
     }
 }
 
-static uint32_t
-index_of_neighbour (const HullFacet *row, uint32_t facet)
+/* Finds a first horizon ridge: an edge of a visible facet. */
+static HullEdge
+first_on_horizon (const HullBuilder *b)
 {
-  uint32_t k = 0;
-
-  while (row->neighbour[k] != facet) {
-    k++;
-    assert (k < 3);
-  }
-  return k;
-}
-
-static void
-add_horizon (HullBuilder *b, uint32_t facet, uint32_t k, uint32_t apex)
-{
-  const HullFacet *row = &b->facets[facet];
-  HorizonRidge *ridge;
-
-  if (b->n_horizon == b->horizon_room)
-    b->horizon = memory_grow (b->horizon, &b->horizon_room, b->n_horizon + 1,
-                              sizeof *b->horizon);
-  ridge = &b->horizon[b->n_horizon++];
-  ridge->site[0] = row->site[k];
-  ridge->site[1] = row->site[(k + 1) % 3];
-  ridge->beyond = row->neighbour[k];
-  ridge->beyond_index = index_of_neighbour (&b->facets[ridge->beyond], facet);
-  hull_tell_ridge (b, EVENT_HORIZON, ridge->beyond, apex, ridge->site);
-}
-
-/* Finds a first horizon ridge: edge *@k of the returned visible facet. */
-static uint32_t
-first_on_horizon (const HullBuilder *b, uint32_t *k)
-{
-  uint32_t i;
+  uint32_t i, k;
 
   for (i = 0; i < b->n_visible; i++)
-    for (*k = 0; *k < 3; *k += 1)
-      if (!is_visible (b, b->facets[b->visible[i]].neighbour[*k]))
-        return b->visible[i];
-  assert (false && "a site never sees the whole hull");
-  return INDEX_NONE;
+    for (k = 0; k < 3; k++)
+      if (!is_visible (b, b->facets[b->visible[i]].across[k] >> 2))
+        return b->visible[i] << 2 | k;
+  assert (!"a site never sees the whole hull");
+  return 0;
 }
 
 /* Walks once round the visible facets, which lie on the left: at the head of
@@ -93,22 +62,28 @@ first_on_horizon (const HullBuilder *b, uint32_t *k)
 void
 horizon_collect (HullBuilder *b, uint32_t apex)
 {
-  uint32_t first_k, k;
-  const uint32_t first = first_on_horizon (b, &first_k);
-  uint32_t facet = first;
+  const HullEdge first = first_on_horizon (b);
+  HullEdge edge = first;
 
+  /* One loop round a disc of triangles whose vertices all stay: n + 2. */
+  if (b->n_visible + 2 > b->horizon_room)
+    b->horizon = memory_grow (b->horizon, &b->horizon_room, b->n_visible + 2,
+                              sizeof *b->horizon);
   b->n_horizon = 0;
-  k = first_k;
   do {
-    add_horizon (b, facet, k, apex);
-    k = (k + 1) % 3;
-    while (is_visible (b, b->facets[facet].neighbour[k])) {
-      const uint32_t next = b->facets[facet].neighbour[k];
+    const uint32_t *site = b->facets[edge >> 2].site;
+    const uint32_t tail = site[edge & 3];
+    const uint32_t head = site[hull_next_edge (edge) & 3];
+    HullEdge beyond = b->facets[edge >> 2].across[edge & 3];
 
-      k = (index_of_neighbour (&b->facets[next], facet) + 1) % 3;
-      facet = next;
+    assert (b->n_horizon < b->n_visible + 2);
+    b->horizon[b->n_horizon++] = (HorizonRidge){ tail, beyond };
+    hull_tell (b, (Event){ EVENT_HORIZON, beyond >> 2, apex, { tail, head } });
+    edge = hull_next_edge (edge);
+    beyond = b->facets[edge >> 2].across[edge & 3];
+    while (is_visible (b, beyond >> 2)) {
+      edge = hull_next_edge (beyond);
+      beyond = b->facets[edge >> 2].across[edge & 3];
     }
-    /* One loop round a disc of triangles whose vertices all stay: n + 2. */
-    assert (b->n_horizon <= b->n_visible + 2);
-  } while (facet != first || k != first_k);
+  } while (edge != first);
 }

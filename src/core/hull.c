@@ -5,6 +5,7 @@
 #include "predicate.h"
 
 #include <assert.h>
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,44 +19,11 @@ hull_add_facet (HullBuilder *b, const uint32_t site[3])
     b->facets = memory_grow (b->facets, &b->facets_room, facet + 1,
                              sizeof *b->facets);
   row = &b->facets[facet];
-  memset (row, 0, sizeof *row);
   memcpy (row->site, site, sizeof row->site);
   row->outside = INDEX_NONE;
-  row->outside_tail = INDEX_NONE;
+  row->mark = b->round;
   b->n_facets += 1;
   return facet;
-}
-
-bool
-hull_sees (const HullBuilder *b, uint32_t site, uint32_t facet)
-{
-  const Site *sites = b->set->sites;
-  const uint32_t *corner = b->facets[facet].site;
-
-  return lift_orient (&sites[corner[0]], &sites[corner[1]], &sites[corner[2]],
-                      &sites[site])
-         > 0;
-}
-
-void
-hull_tell (const HullBuilder *b, EventKind kind, uint32_t facet, uint32_t site)
-{
-  const uint32_t no_ridge[2] = { INDEX_NONE, INDEX_NONE };
-
-  hull_tell_ridge (b, kind, facet, site, no_ridge);
-}
-
-void
-hull_tell_ridge (const HullBuilder *b,
-                 EventKind kind,
-                 uint32_t facet,
-                 uint32_t site,
-                 const uint32_t ridge[2])
-{
-  const Event event = { kind, facet, site, { ridge[0], ridge[1] } };
-
-  if (b->hook != NULL)
-    b->hook->on_event (&event, b->hook->user);
 }
 
 /* Joins every horizon ridge to the apex by a facet. The ridges come in loop
@@ -68,15 +36,18 @@ build_cone (HullBuilder *b, uint32_t apex)
 
   b->first_cone = b->n_facets;
   for (i = 0; i < n; i++) {
-    const HorizonRidge *ridge = &b->horizon[i];
-    const uint32_t site[3] = { ridge->site[0], ridge->site[1], apex };
-    const uint32_t facet = hull_add_facet (b, site);
+    const uint32_t tail = b->horizon[i].tail;
+    const uint32_t head = b->horizon[i + 1 < n ? i + 1 : 0].tail;
+    const HullEdge beyond = b->horizon[i].beyond;
+    const uint32_t facet
+        = hull_add_facet (b, (uint32_t[3]){ tail, head, apex });
+    HullFacet *row = &b->facets[facet];
 
-    b->facets[facet].neighbour[0] = ridge->beyond;
-    b->facets[facet].neighbour[1] = b->first_cone + (i + 1) % n;
-    b->facets[facet].neighbour[2] = b->first_cone + (i + n - 1) % n;
-    b->facets[ridge->beyond].neighbour[ridge->beyond_index] = facet;
-    hull_tell_ridge (b, EVENT_CONE, facet, apex, ridge->site);
+    row->across[0] = beyond;
+    row->across[1] = (b->first_cone + (i + 1 < n ? i + 1 : 0)) << 2 | 2;
+    row->across[2] = (b->first_cone + (i > 0 ? i - 1 : n - 1)) << 2 | 1;
+    b->facets[beyond >> 2].across[beyond & 3] = facet << 2;
+    hull_tell (b, (Event){ EVENT_CONE, facet, apex, { tail, head } });
   }
 }
 
@@ -86,8 +57,7 @@ retire_visible (HullBuilder *b, uint32_t apex)
   uint32_t i;
 
   for (i = 0; i < b->n_visible; i++) {
-    b->facets[b->visible[i]].is_retired = true;
-    hull_tell (b, EVENT_RETIRE, b->visible[i], apex);
+    hull_tell (b, EVENT (EVENT_RETIRE, b->visible[i], apex));
   }
 }
 
@@ -98,7 +68,7 @@ tell_duplicates (const HullBuilder *b)
 
   for (site = 0; site < b->set->n_sites; site++)
     if (b->set->first[site] != site)
-      hull_tell (b, EVENT_DUPLICATE, INDEX_NONE, site);
+      hull_tell (b, EVENT (EVENT_DUPLICATE, INDEX_NONE, site));
 }
 
 static void
@@ -116,7 +86,7 @@ build (HullBuilder *b)
     horizon_collect (b, apex);
     build_cone (b, apex);
     retire_visible (b, apex);
-    outside_redistribute (b);
+    outside_redistribute (b, apex);
   }
 }
 
@@ -129,22 +99,37 @@ clear (HullBuilder *b)
   free (b->list);
   free (b->visible);
   free (b->horizon);
+  free (b->queue);
+  free (b->planes);
+}
+
+/* Shewchuk 1997, iccerrboundA, is 10 half ulps and a little of the sum of the
+ * terms' magnitudes, which is at most 12 side⁴. DBL_MIN is more than underflow
+ * can take away. */
+static double
+doubt_of (const SiteSet *set)
+{
+  const double side = 2 * site_set_extent (set).radius;
+
+  return 16 * (DBL_EPSILON / 2) * 12 * side * side * side * side + DBL_MIN;
 }
 
 void
 hull_build (const SiteSet *set, const Order *order, const HullHook *hook)
 {
-  HullBuilder b = { .set = set, .hook = hook };
+  HullBuilder b = { .set = set, .sites = set->sites, .hook = hook };
 
+  b.doubt = doubt_of (set);
   b.next_outside = memory_new (set->n_sites, sizeof *b.next_outside);
-  b.claimed_by = memory_new (set->n_sites, sizeof *b.claimed_by);
   b.list = order_list (order, set);
+  if (b.list != NULL)
+    b.claimed_by = memory_new (set->n_sites, sizeof *b.claimed_by);
 
   tell_duplicates (&b);
   if (simplex_find (&b))
     build (&b);
   else
-    hull_tell (&b, EVENT_FLAT, INDEX_NONE, INDEX_NONE);
-  hull_tell (&b, EVENT_COMPLETE, INDEX_NONE, INDEX_NONE);
+    hull_tell (&b, EVENT (EVENT_FLAT, INDEX_NONE, INDEX_NONE));
+  hull_tell (&b, EVENT (EVENT_COMPLETE, INDEX_NONE, INDEX_NONE));
   clear (&b);
 }

@@ -46,7 +46,8 @@ orient_base (HullBuilder *b)
   site[2] = second;
 }
 
-/* Facet 0 is the base; facet 1 + i joins the top to the base's edge i. */
+/* Facet 0 is the base; facet 1 + i joins the top to the base's edge i, which
+ * is its edge 2. */
 static void
 link_facets (HullBuilder *b)
 {
@@ -55,10 +56,10 @@ link_facets (HullBuilder *b)
   for (i = 0; i < 3; i++) {
     HullFacet *side = &b->facets[1 + i];
 
-    b->facets[0].neighbour[i] = 1 + i;
-    side->neighbour[0] = 1 + (i + 2) % 3;
-    side->neighbour[1] = 1 + (i + 1) % 3;
-    side->neighbour[2] = 0;
+    b->facets[0].across[i] = (1 + i) << 2 | 2;
+    side->across[0] = (1 + (i + 2) % 3) << 2 | 1;
+    side->across[1] = (1 + (i + 1) % 3) << 2 | 0;
+    side->across[2] = i;
   }
 }
 
@@ -74,7 +75,8 @@ simplex_build (HullBuilder *b)
     const uint32_t *site = i == 0 ? s : side;
     const uint32_t facet = hull_add_facet (b, site);
 
-    hull_tell_ridge (b, EVENT_SIMPLEX, facet, site[2], site);
+    hull_tell (b,
+               (Event){ EVENT_SIMPLEX, facet, site[2], { site[0], site[1] } });
   }
   link_facets (b);
 }
