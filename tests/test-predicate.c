@@ -226,19 +226,27 @@ ulps (double from, int n)
   return from;
 }
 
-/* Every site of a grid of 64 by 64 ulps around a corner of a slanted
- * triangle, as in Kettner et al., figure 2. */
+/* Every site of a grid of 256 by 256 ulps around a corner of a flat triangle.
+ * Source: Kettner, Mehlhorn, Pion, Schirra, Yap 2008, figure 2. */
 static void
 test_orient_tells_one_ulp_from_a_line (void)
 {
-  const Site q = { 12, 12 }, r = { 24, 24 };
+  static const Site corners[][3] = {
+    { { 0.5, 0.5 }, { 12, 12 }, { 24, 24 } },
+    { { 0.50000000000002531, 0.5000000000000171 },
+      { 17.300000000000001, 17.300000000000001 },
+      { 24.00000000000005, 24.0000000000000517765 } },
+    { { 0.5, 0.5 },
+      { 8.8000000000000007, 8.8000000000000007 },
+      { 12.1, 12.1 } },
+  };
 
-  for (int i = 0; i < 64; i += 1) {
-    for (int j = 0; j < 64; j += 1) {
-      const Site p = { ulps (0.5, i), ulps (0.5, j) };
+  for (guint i = 0; i < 3 * 256 * 256; i += 1) {
+    const Site *corner = corners[i / 65536];
+    const Site p = { ulps (corner[0].x, (int)(i / 256 % 256)),
+                     ulps (corner[0].y, (int)(i % 256)) };
 
-      assert_orient (&p, &q, &r);
-    }
+    assert_orient (&p, &corner[1], &corner[2]);
   }
 }
 
@@ -247,13 +255,23 @@ test_lift_orient_tells_one_ulp_from_a_circle (void)
 {
   const Site plane[3] = { { 17, 0 }, { 8, 15 }, { -15, 8 } };
 
-  for (int i = 0; i < 32; i += 1) {
-    for (int j = 0; j < 32; j += 1) {
+  for (int i = 0; i < 64; i += 1) {
+    for (int j = 0; j < 64; j += 1) {
       const Site d = { ulps (7.999999999999986, i), ulps (-15, j) };
 
       assert_lift_orient (plane, &d);
     }
   }
+}
+
+/* HULL2VD_SOAK multiplies the number of tuples. */
+static int
+n_tuples (void)
+{
+  const char *factor = g_getenv ("HULL2VD_SOAK");
+  const gint64 n = factor != NULL ? g_ascii_strtoll (factor, NULL, 10) : 1;
+
+  return 20000 * (int)CLAMP (n, 1, 1000);
 }
 
 static double
@@ -270,7 +288,7 @@ test_signs_hold_for_every_exponent (void)
 {
   GRand *random = g_rand_new_with_seed (145);
 
-  for (int i = 0; i < 20000; i += 1) {
+  for (int i = n_tuples (); i > 0; i -= 1) {
     Site sites[5];
 
     for (int j = 0; j < 5; j += 1)
@@ -292,7 +310,7 @@ test_signs_hold_for_near_degenerate_tuples (void)
           { -20, 15 }, { -24, -7 }, { 7, -24 }, { 20, -15 } };
   GRand *random = g_rand_new_with_seed (1999);
 
-  for (int i = 0; i < 20000; i += 1) {
+  for (int i = n_tuples (); i > 0; i -= 1) {
     const int exponent = g_rand_int_range (random, -SITE_RANGE, SITE_RANGE - 6);
     const double shift = g_rand_boolean (random) ? 0 : 1000;
     Site sites[5];

@@ -143,6 +143,13 @@ expansion_copy (const Expansion *e, Expansion *copy)
 }
 
 static void
+expansion_double (Expansion *e)
+{
+  for (int i = 0; i < e->n_terms; i += 1)
+    e->terms[i] *= 2;
+}
+
+static void
 expansion_multiply (const Expansion *e, const Expansion *f, Expansion *product)
 {
   EXPANSION (scaled, 2 * MINOR);
@@ -297,19 +304,19 @@ exact_lift_further (const Site plane[3], const Site *p, const Site *q)
   return expansion_sign (&comparison);
 }
 
-/* centre = (offset + coordinate * doubled) / doubled, where offset may be
+/* centre = (offset + coordinate * divisor) / divisor, where offset may be
  * far larger than the sum: nothing is rounded before the division. */
 static double
 centre_coordinate (const Expansion *offset,
                    double coordinate,
-                   const Expansion *doubled)
+                   const Expansion *divisor)
 {
   EXPANSION (scaled, 2 * MINOR);
   EXPANSION (numerator, CENTRE);
 
-  expansion_scale (doubled, coordinate, &scaled);
+  expansion_scale (divisor, coordinate, &scaled);
   expansion_add (offset, 1, &scaled, &numerator);
-  return expansion_estimate (&numerator) / expansion_estimate (doubled);
+  return expansion_estimate (&numerator) / expansion_estimate (divisor);
 }
 
 /* offset = left left_square - right right_square */
@@ -334,8 +341,7 @@ exact_circumcentre (const Site *a, const Site *b, const Site *c)
   Vector to_b, to_c;
   EXPANSION (b_square, MINOR);
   EXPANSION (c_square, MINOR);
-  EXPANSION (area, MINOR);
-  EXPANSION (doubled, MINOR);
+  EXPANSION (divisor, MINOR);
   EXPANSION (x, CENTRE_OFFSET);
   EXPANSION (y, CENTRE_OFFSET);
 
@@ -343,10 +349,10 @@ exact_circumcentre (const Site *a, const Site *b, const Site *c)
   vector_init (&to_c, c, a);
   vector_square (&to_b, &b_square);
   vector_square (&to_c, &c_square);
-  vector_cross (&to_b, &to_c, &area);
-  expansion_add (&area, 1, &area, &doubled);
+  vector_cross (&to_b, &to_c, &divisor);
+  expansion_double (&divisor); /* four times the area of abc */
   centre_offset (&to_c.y, &b_square, &to_b.y, &c_square, &x);
   centre_offset (&to_b.x, &c_square, &to_c.x, &b_square, &y);
-  return (Site){ centre_coordinate (&x, a->x, &doubled),
-                 centre_coordinate (&y, a->y, &doubled) };
+  return (Site){ centre_coordinate (&x, a->x, &divisor),
+                 centre_coordinate (&y, a->y, &divisor) };
 }
