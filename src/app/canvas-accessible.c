@@ -1,0 +1,199 @@
+#include "canvas-accessible.h"
+
+#include "canvas-child.h"
+#include "canvas.h"
+
+#include <glib/gi18n.h>
+
+struct _CanvasAccessible {
+  GtkWidgetAccessible parent_instance;
+  GHashTable *children; /* object key → CanvasChild */
+  char *description;
+};
+
+G_DEFINE_TYPE (CanvasAccessible, canvas_accessible, GTK_TYPE_WIDGET_ACCESSIBLE)
+
+/* Returns: NULL when the widget is gone. */
+static Canvas *
+get_canvas (AtkObject *object)
+{
+  GtkWidget *widget = gtk_accessible_get_widget (GTK_ACCESSIBLE (object));
+
+  if (widget == NULL || canvas_get_session (HULL2VD_CANVAS (widget)) == NULL)
+    return NULL;
+  return HULL2VD_CANVAS (widget);
+}
+
+static gpointer
+key_of (Object object)
+{
+  return GSIZE_TO_POINTER (((gsize)object.number << 3) | object.kind);
+}
+
+static AtkObject *
+get_child (CanvasAccessible *accessible, Canvas *canvas, Object object)
+{
+  AtkObject *child
+      = g_hash_table_lookup (accessible->children, key_of (object));
+
+  if (child == NULL) {
+    child = canvas_child_new (canvas, object);
+    g_hash_table_insert (accessible->children, key_of (object), child);
+  }
+  return child;
+}
+
+static const char *
+canvas_accessible_get_name (AtkObject *object)
+{
+  Canvas *canvas = get_canvas (object);
+
+  if (canvas == NULL)
+    return NULL;
+  return _ (HULL2VD_CANVAS_GET_CLASS (canvas)->title);
+}
+
+/* What there is and what has just happened. */
+static const char *
+canvas_accessible_get_description (AtkObject *object)
+{
+  CanvasAccessible *accessible = HULL2VD_CANVAS_ACCESSIBLE (object);
+  Canvas *canvas = get_canvas (object);
+  Session *session;
+  g_autofree char *sentence = NULL;
+  guint n_sites;
+
+  if (canvas == NULL)
+    return NULL;
+  session = canvas_get_session (canvas);
+  sentence = session_narrate (session);
+  n_sites = session_get_set (session)->n_sites;
+  g_free (accessible->description);
+  accessible->description = g_strdup_printf (
+      ngettext ("%u site. %s", "%u sites. %s", n_sites), n_sites, sentence);
+  return accessible->description;
+}
+
+static int
+canvas_accessible_get_n_children (AtkObject *object)
+{
+  Canvas *canvas = get_canvas (object);
+
+  if (canvas == NULL)
+    return 0;
+  return (int)HULL2VD_CANVAS_GET_CLASS (canvas)->count_objects (canvas);
+}
+
+static AtkObject *
+canvas_accessible_ref_child (AtkObject *object, int index)
+{
+  CanvasAccessible *accessible = HULL2VD_CANVAS_ACCESSIBLE (object);
+  Canvas *canvas = get_canvas (object);
+
+  if (canvas == NULL || index < 0
+      || index >= canvas_accessible_get_n_children (object))
+    return NULL;
+  return g_object_ref (get_child (
+      accessible, canvas,
+      HULL2VD_CANVAS_GET_CLASS (canvas)->get_object (canvas, (guint)index)));
+}
+
+static AtkStateSet *
+canvas_accessible_ref_state_set (AtkObject *object)
+{
+  AtkStateSet *states = ATK_OBJECT_CLASS (canvas_accessible_parent_class)
+                            ->ref_state_set (object);
+
+  atk_state_set_add_state (states, ATK_STATE_MANAGES_DESCENDANTS);
+  return states;
+}
+
+static void
+canvas_accessible_initialize (AtkObject *object, gpointer data)
+{
+  ATK_OBJECT_CLASS (canvas_accessible_parent_class)->initialize (object, data);
+  atk_object_set_role (object, ATK_ROLE_CANVAS);
+}
+
+static void
+canvas_accessible_finalize (GObject *object)
+{
+  CanvasAccessible *accessible = HULL2VD_CANVAS_ACCESSIBLE (object);
+
+  g_hash_table_unref (accessible->children);
+  g_free (accessible->description);
+  G_OBJECT_CLASS (canvas_accessible_parent_class)->finalize (object);
+}
+
+static void
+canvas_accessible_class_init (CanvasAccessibleClass *class)
+{
+  AtkObjectClass *atk_class = ATK_OBJECT_CLASS (class);
+
+  G_OBJECT_CLASS (class)->finalize = canvas_accessible_finalize;
+  atk_class->initialize = canvas_accessible_initialize;
+  atk_class->get_name = canvas_accessible_get_name;
+  atk_class->get_description = canvas_accessible_get_description;
+  atk_class->get_n_children = canvas_accessible_get_n_children;
+  atk_class->ref_child = canvas_accessible_ref_child;
+  atk_class->ref_state_set = canvas_accessible_ref_state_set;
+}
+
+static void
+canvas_accessible_init (CanvasAccessible *accessible)
+{
+  accessible->children
+      = g_hash_table_new_full (NULL, NULL, NULL, g_object_unref);
+}
+
+/* Other numbers mean other things now. */
+static void
+drop_children (CanvasAccessible *accessible)
+{
+  GHashTableIter iter;
+  gpointer child;
+
+  g_hash_table_iter_init (&iter, accessible->children);
+  while (g_hash_table_iter_next (&iter, NULL, &child)) {
+    canvas_child_detach (HULL2VD_CANVAS_CHILD (child));
+    g_hash_table_iter_remove (&iter);
+  }
+}
+
+/* Nothing is made for assistive technology that is not there. */
+static CanvasAccessible *
+peek_accessible (GtkWidget *canvas)
+{
+  AtkObject *accessible = gtk_widget_get_accessible (canvas);
+
+  return HULL2VD_IS_CANVAS_ACCESSIBLE (accessible)
+             ? HULL2VD_CANVAS_ACCESSIBLE (accessible)
+             : NULL;
+}
+
+void
+canvas_accessible_update (GtkWidget *canvas, guint changes)
+{
+  CanvasAccessible *accessible = peek_accessible (canvas);
+
+  if (accessible == NULL)
+    return;
+  if (changes & CHANGED_SITES) {
+    drop_children (accessible);
+    g_signal_emit_by_name (accessible, "visible-data-changed");
+  }
+  if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_LESSON))
+    g_object_notify (G_OBJECT (accessible), "accessible-description");
+}
+
+void
+canvas_accessible_focus (GtkWidget *canvas, Object cursor)
+{
+  CanvasAccessible *accessible = peek_accessible (canvas);
+
+  if (accessible == NULL || cursor.kind == OBJECT_NONE)
+    return;
+  g_signal_emit_by_name (
+      accessible, "active-descendant-changed",
+      get_child (accessible, HULL2VD_CANVAS (canvas), cursor));
+}

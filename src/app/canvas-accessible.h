@@ -1,0 +1,28 @@
+/* What assistive technology sees of a canvas: a picture with a description,
+ * and one child for each of its objects, made when first asked for. */
+#ifndef CANVAS_ACCESSIBLE_H
+#define CANVAS_ACCESSIBLE_H
+
+#include "object.h"
+
+#include <gtk/gtk-a11y.h>
+#include <gtk/gtk.h>
+
+G_BEGIN_DECLS
+
+#define CANVAS_ACCESSIBLE_TYPE (canvas_accessible_get_type ())
+G_DECLARE_FINAL_TYPE (CanvasAccessible,
+                      canvas_accessible,
+                      HULL2VD,
+                      CANVAS_ACCESSIBLE,
+                      GtkWidgetAccessible)
+
+/* The session has changed: see SessionChange. */
+void canvas_accessible_update (GtkWidget *canvas, guint changes);
+
+/* The keyboard has come to @cursor. */
+void canvas_accessible_focus (GtkWidget *canvas, Object cursor);
+
+G_END_DECLS
+
+#endif

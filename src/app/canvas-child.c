@@ -1,0 +1,293 @@
+#include "canvas-child.h"
+
+#include "number.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+struct _CanvasChild {
+  AtkObject parent_instance;
+  Canvas *canvas; /* weak: NULL once detached */
+  Object object;
+  char *name;
+};
+
+static void canvas_child_action_init (AtkActionIface *interface);
+static void canvas_child_component_init (AtkComponentIface *interface);
+
+G_DEFINE_TYPE_WITH_CODE (
+    CanvasChild,
+    canvas_child,
+    ATK_TYPE_OBJECT,
+    G_IMPLEMENT_INTERFACE (ATK_TYPE_ACTION, canvas_child_action_init)
+        G_IMPLEMENT_INTERFACE (ATK_TYPE_COMPONENT, canvas_child_component_init))
+
+/* Names */
+
+static const char *
+site_state_text (SiteState state)
+{
+  switch (state) {
+  case SITE_WAITING:
+    return _ ("waiting");
+  case SITE_OUTSIDE:
+    return _ ("in the outside set in hand");
+  case SITE_APEX:
+    return _ ("the new site");
+  case SITE_INSERTED:
+    return _ ("on the hull");
+  case SITE_DUPLICATE:
+    return _ ("a duplicate");
+  }
+  return "";
+}
+
+static char *
+name_site (Session *session, guint site)
+{
+  const Frame *frame = session_get_frame (session);
+  const Site given = site_set_given (session_get_set (session), site);
+  char x[NUMBER_ROOM], y[NUMBER_ROOM];
+
+  number_write (given.x, x);
+  number_write (given.y, y);
+  /* Translators: a site, its coordinates and its state: s3 (0.5, 1), on the
+     hull */
+  return g_strdup_printf (_ ("s%u (%s, %s), %s"), site, x, y,
+                          site_state_text (site < frame->n_sites
+                                               ? frame->sites[site].state
+                                               : SITE_WAITING));
+}
+
+static const char *
+facing_text (Facing facing)
+{
+  switch (facing) {
+  case FACING_LOWER:
+    return _ ("lower");
+  case FACING_VERTICAL:
+    return _ ("vertical");
+  case FACING_UPPER:
+    return _ ("upper");
+  }
+  return "";
+}
+
+static char *
+name_facet (Session *session, guint facet)
+{
+  const Frame *frame = session_get_frame (session);
+  const guint roles = frame_facet_roles (frame, facet);
+  const FacetRow *row;
+
+  if (frame->trace->is_flat || facet >= frame->trace->n_facets)
+    return g_strdup_printf (_ ("triangle %u"), facet);
+  row = &frame->trace->facets[facet];
+  return g_strdup_printf ("f%u: s%u s%u s%u, %s%s%s", facet, row->site[0],
+                          row->site[1], row->site[2], facing_text (row->facing),
+                          roles & FACET_VISIBLE ? _ (", visible") : "",
+                          roles & FACET_CONE ? _ (", in the cone") : "");
+}
+
+static const char *
+canvas_child_get_name (AtkObject *object)
+{
+  CanvasChild *child = HULL2VD_CANVAS_CHILD (object);
+  Session *session;
+
+  if (child->canvas == NULL)
+    return NULL;
+  session = canvas_get_session (child->canvas);
+  g_free (child->name);
+  child->name = child->object.kind == OBJECT_SITE
+                    ? name_site (session, child->object.number)
+                    : name_facet (session, child->object.number);
+  return child->name;
+}
+
+/* Place in the tree */
+
+static AtkObject *
+canvas_child_get_parent (AtkObject *object)
+{
+  CanvasChild *child = HULL2VD_CANVAS_CHILD (object);
+
+  if (child->canvas == NULL)
+    return NULL;
+  return gtk_widget_get_accessible (GTK_WIDGET (child->canvas));
+}
+
+static int
+canvas_child_get_index (AtkObject *object)
+{
+  CanvasChild *child = HULL2VD_CANVAS_CHILD (object);
+  CanvasClass *class;
+  guint n_objects;
+
+  if (child->canvas == NULL)
+    return -1;
+  class = HULL2VD_CANVAS_GET_CLASS (child->canvas);
+  n_objects = class->count_objects (child->canvas);
+  for (guint i = 0; i < n_objects; i++)
+    if (object_equal (class->get_object (child->canvas, i), child->object))
+      return (int)i;
+  return -1;
+}
+
+static AtkStateSet *
+canvas_child_ref_state_set (AtkObject *object)
+{
+  CanvasChild *child = HULL2VD_CANVAS_CHILD (object);
+  AtkStateSet *states = atk_state_set_new ();
+  const SceneLook *look;
+
+  if (child->canvas == NULL) {
+    atk_state_set_add_state (states, ATK_STATE_DEFUNCT);
+    return states;
+  }
+  look = session_get_look (canvas_get_session (child->canvas));
+  atk_state_set_add_state (states, ATK_STATE_TRANSIENT);
+  atk_state_set_add_state (states, ATK_STATE_ENABLED);
+  atk_state_set_add_state (states, ATK_STATE_SENSITIVE);
+  atk_state_set_add_state (states, ATK_STATE_VISIBLE);
+  atk_state_set_add_state (states, ATK_STATE_SHOWING);
+  atk_state_set_add_state (states, ATK_STATE_SELECTABLE);
+  atk_state_set_add_state (states, ATK_STATE_FOCUSABLE);
+  if (object_equal (look->selection, child->object))
+    atk_state_set_add_state (states, ATK_STATE_SELECTED);
+  if (gtk_widget_has_focus (GTK_WIDGET (child->canvas))
+      && object_equal (canvas_get_cursor (child->canvas), child->object))
+    atk_state_set_add_state (states, ATK_STATE_FOCUSED);
+  return states;
+}
+
+/* Where it is */
+
+static void
+canvas_child_get_extents (AtkComponent *component,
+                          int *x,
+                          int *y,
+                          int *width,
+                          int *height,
+                          AtkCoordType coordinates)
+{
+  CanvasChild *child = HULL2VD_CANVAS_CHILD (component);
+  GdkRectangle box = { 0, 0, 0, 0 };
+  int left = 0, top = 0;
+
+  *x = *y = *width = *height = 0;
+  if (child->canvas == NULL
+      || !canvas_locate (child->canvas, child->object, &box))
+    return;
+  atk_component_get_extents (
+      ATK_COMPONENT (gtk_widget_get_accessible (GTK_WIDGET (child->canvas))),
+      &left, &top, width, height, coordinates);
+  *x = left + box.x;
+  *y = top + box.y;
+  *width = box.width;
+  *height = box.height;
+}
+
+static gboolean
+canvas_child_grab_focus (AtkComponent *component)
+{
+  CanvasChild *child = HULL2VD_CANVAS_CHILD (component);
+
+  if (child->canvas == NULL)
+    return FALSE;
+  gtk_widget_grab_focus (GTK_WIDGET (child->canvas));
+  canvas_set_cursor (child->canvas, child->object);
+  return TRUE;
+}
+
+static void
+canvas_child_component_init (AtkComponentIface *interface)
+{
+  interface->get_extents = canvas_child_get_extents;
+  interface->grab_focus = canvas_child_grab_focus;
+}
+
+/* The action */
+
+static gboolean
+canvas_child_do_action (AtkAction *action, int i)
+{
+  CanvasChild *child = HULL2VD_CANVAS_CHILD (action);
+
+  if (child->canvas == NULL || i != 0)
+    return FALSE;
+  session_set_selection (canvas_get_session (child->canvas), child->object);
+  return TRUE;
+}
+
+static int
+canvas_child_get_n_actions (AtkAction *action)
+{
+  (void)action;
+  return 1;
+}
+
+static const char *
+canvas_child_get_action_name (AtkAction *action, int i)
+{
+  (void)action;
+  return i == 0 ? "select" : NULL;
+}
+
+static void
+canvas_child_action_init (AtkActionIface *interface)
+{
+  interface->do_action = canvas_child_do_action;
+  interface->get_n_actions = canvas_child_get_n_actions;
+  interface->get_name = canvas_child_get_action_name;
+}
+
+/* Life */
+
+AtkObject *
+canvas_child_new (Canvas *canvas, Object object)
+{
+  CanvasChild *child = g_object_new (CANVAS_CHILD_TYPE, NULL);
+
+  g_set_weak_pointer (&child->canvas, canvas);
+  child->object = object;
+  atk_object_set_role (ATK_OBJECT (child), object.kind == OBJECT_SITE
+                                               ? ATK_ROLE_ICON
+                                               : ATK_ROLE_IMAGE);
+  return ATK_OBJECT (child);
+}
+
+void
+canvas_child_detach (CanvasChild *child)
+{
+  g_clear_weak_pointer (&child->canvas);
+  atk_object_notify_state_change (ATK_OBJECT (child), ATK_STATE_DEFUNCT, TRUE);
+}
+
+static void
+canvas_child_finalize (GObject *object)
+{
+  CanvasChild *child = HULL2VD_CANVAS_CHILD (object);
+
+  g_clear_weak_pointer (&child->canvas);
+  g_free (child->name);
+  G_OBJECT_CLASS (canvas_child_parent_class)->finalize (object);
+}
+
+static void
+canvas_child_class_init (CanvasChildClass *class)
+{
+  AtkObjectClass *atk_class = ATK_OBJECT_CLASS (class);
+
+  G_OBJECT_CLASS (class)->finalize = canvas_child_finalize;
+  atk_class->get_name = canvas_child_get_name;
+  atk_class->get_parent = canvas_child_get_parent;
+  atk_class->get_index_in_parent = canvas_child_get_index;
+  atk_class->ref_state_set = canvas_child_ref_state_set;
+}
+
+static void
+canvas_child_init (CanvasChild *child)
+{
+  (void)child;
+}

@@ -1,0 +1,23 @@
+/* A site or facet of a canvas, for assistive technology: name, state, place,
+ * and the action "select". */
+#ifndef CANVAS_CHILD_H
+#define CANVAS_CHILD_H
+
+#include "canvas.h"
+
+#include <atk/atk.h>
+
+G_BEGIN_DECLS
+
+#define CANVAS_CHILD_TYPE (canvas_child_get_type ())
+G_DECLARE_FINAL_TYPE (
+    CanvasChild, canvas_child, HULL2VD, CANVAS_CHILD, AtkObject)
+
+AtkObject *canvas_child_new (Canvas *canvas, Object object);
+
+/* The object is no more; whoever still holds the child is told so. */
+void canvas_child_detach (CanvasChild *child);
+
+G_END_DECLS
+
+#endif

@@ -1,0 +1,35 @@
+/* What pointer, touch and keyboard mean to a canvas. */
+#ifndef CANVAS_INPUT_H
+#define CANVAS_INPUT_H
+
+#include "canvas.h"
+
+G_BEGIN_DECLS
+
+typedef enum CanvasGesture {
+  CANVAS_GESTURE_PRESS,
+  CANVAS_GESTURE_DRAG,
+  CANVAS_GESTURE_PINCH,
+  N_CANVAS_GESTURES,
+} CanvasGesture;
+
+typedef enum CanvasController {
+  CANVAS_CONTROLLER_MOTION,
+  CANVAS_CONTROLLER_SCROLL,
+  N_CANVAS_CONTROLLERS,
+} CanvasController;
+
+void canvas_input_class_init (GtkWidgetClass *class);
+
+/* Owns: the canvas takes what is put into both arrays. */
+void
+canvas_input_attach (Canvas *canvas,
+                     GtkGesture *gestures[N_CANVAS_GESTURES],
+                     GtkEventController *controllers[N_CANVAS_CONTROLLERS]);
+
+/* Returns: whether the key is an arrow; @by gets its direction, y down. */
+gboolean canvas_arrow (guint keyval, double by[2]);
+
+G_END_DECLS
+
+#endif

@@ -1,0 +1,422 @@
+#include "canvas.h"
+
+#include "canvas-accessible.h"
+#include "canvas-input.h"
+#include "painter.h"
+
+#include <string.h>
+
+#define REACH_PX 12.0
+
+/* A picture that takes longer than this is painted roughly while something
+ * moves, and well again when it has come to rest. */
+#define SLOW_US 16000
+#define SETTLE_MS 150
+
+typedef struct CanvasPrivate {
+  Session *session;
+  Scene scene;
+  gboolean has_scene;
+  cairo_surface_t *picture; /* the painted scene, or NULL: to be painted */
+  gboolean is_rough;        /* the picture was painted without antialiasing */
+  gboolean is_moving;
+  gint64 cost_us; /* of the last painting at full quality */
+  guint settle_source;
+  Object cursor;
+  gboolean shows_focus; /* the keyboard came here by Tab */
+  GtkGesture *gestures[N_CANVAS_GESTURES];
+  GtkEventController *controllers[N_CANVAS_CONTROLLERS];
+} CanvasPrivate;
+
+G_DEFINE_TYPE_WITH_PRIVATE (Canvas, canvas, GTK_TYPE_DRAWING_AREA)
+
+enum { SIGNAL_FAILED, N_SIGNALS };
+static guint signals[N_SIGNALS];
+
+static CanvasPrivate *
+priv (Canvas *canvas)
+{
+  return canvas_get_instance_private (canvas);
+}
+
+Session *
+canvas_get_session (Canvas *canvas)
+{
+  return priv (canvas)->session;
+}
+
+/* The scene of the session as it is, built when first asked for. */
+static const Scene *
+canvas_get_scene (Canvas *canvas)
+{
+  CanvasPrivate *p = priv (canvas);
+
+  if (!p->has_scene) {
+    HULL2VD_CANVAS_GET_CLASS (canvas)->build_scene (canvas, &p->scene);
+    p->has_scene = TRUE;
+  }
+  return &p->scene;
+}
+
+void
+canvas_invalidate (Canvas *canvas)
+{
+  CanvasPrivate *p = priv (canvas);
+
+  p->has_scene = FALSE;
+  g_clear_pointer (&p->picture, cairo_surface_destroy);
+  gtk_widget_queue_draw (GTK_WIDGET (canvas));
+}
+
+Projection
+canvas_get_projection (Canvas *canvas)
+{
+  const double width = gtk_widget_get_allocated_width (GTK_WIDGET (canvas));
+  const double height = gtk_widget_get_allocated_height (GTK_WIDGET (canvas));
+
+  return HULL2VD_CANVAS_GET_CLASS (canvas)->project (canvas, width, height);
+}
+
+Object
+canvas_pick (Canvas *canvas, const double at_px[2])
+{
+  const Projection projection = canvas_get_projection (canvas);
+
+  return scene_pick (canvas_get_scene (canvas), &projection, at_px, REACH_PX);
+}
+
+gboolean
+canvas_has_role (Canvas *canvas, Role role)
+{
+  const Scene *scene = canvas_get_scene (canvas);
+
+  for (guint i = 0; i < scene->n_items; i++)
+    if (scene->items[i].role == role)
+      return TRUE;
+  return FALSE;
+}
+
+/* Where it is */
+
+static Point3
+locate_site (Canvas *canvas, guint site)
+{
+  Session *session = priv (canvas)->session;
+  const SiteSet *set = session_get_set (session);
+  const Point3 point
+      = scene_point (session_get_look (session), &set->sites[site],
+                     HULL2VD_CANVAS_GET_CLASS (canvas)->is_space);
+  const Projection projection = canvas_get_projection (canvas);
+
+  return projection_apply (&projection, point);
+}
+
+static GdkRectangle
+rectangle_around (const Point3 *points, guint n_points)
+{
+  double low[2] = { points[0].x, points[0].y };
+  double high[2] = { points[0].x, points[0].y };
+
+  for (guint i = 1; i < n_points; i++) {
+    low[0] = MIN (low[0], points[i].x);
+    low[1] = MIN (low[1], points[i].y);
+    high[0] = MAX (high[0], points[i].x);
+    high[1] = MAX (high[1], points[i].y);
+  }
+  /* Far points would not fit into integers. */
+  for (int axis = 0; axis < 2; axis++) {
+    low[axis] = CLAMP (low[axis], -1e6, 1e6);
+    high[axis] = CLAMP (high[axis], -1e6, 1e6);
+  }
+  return (GdkRectangle){ (int)low[0] - 8, (int)low[1] - 8,
+                         (int)(high[0] - low[0]) + 16,
+                         (int)(high[1] - low[1]) + 16 };
+}
+
+/* The sites at the corners of an object; returns their number. */
+static guint
+list_corners (Session *session, Object object, uint32_t corners[3])
+{
+  const Frame *frame = session_get_frame (session);
+  const Trace *trace = frame->trace;
+
+  if (object.kind == OBJECT_SITE && object.number < trace->set->n_sites) {
+    corners[0] = object.number;
+    return 1;
+  }
+  if (object.kind != OBJECT_FACET)
+    return 0;
+  if (trace->is_flat && object.number < frame->delaunay.n_triangles)
+    memcpy (corners, frame->delaunay.triangles[object.number].site,
+            3 * sizeof corners[0]);
+  else if (!trace->is_flat && object.number < trace->n_facets)
+    memcpy (corners, trace->facets[object.number].site, 3 * sizeof corners[0]);
+  else
+    return 0;
+  return 3;
+}
+
+gboolean
+canvas_locate (Canvas *canvas, Object object, GdkRectangle *rectangle)
+{
+  uint32_t corners[3];
+  Point3 points[3];
+  const guint n = list_corners (priv (canvas)->session, object, corners);
+
+  if (n == 0)
+    return FALSE;
+  for (guint i = 0; i < n; i++)
+    points[i] = locate_site (canvas, corners[i]);
+  *rectangle = rectangle_around (points, n);
+  return TRUE;
+}
+
+/* The cursor */
+
+Object
+canvas_get_cursor (Canvas *canvas)
+{
+  return priv (canvas)->cursor;
+}
+
+void
+canvas_set_cursor (Canvas *canvas, Object cursor)
+{
+  CanvasPrivate *p = priv (canvas);
+
+  if (object_equal (p->cursor, cursor))
+    return;
+  p->cursor = cursor;
+  canvas_accessible_focus (GTK_WIDGET (canvas), cursor);
+  gtk_widget_queue_draw (GTK_WIDGET (canvas));
+}
+
+/* After an edit the cursor may name what is no more. */
+static void
+check_cursor (Canvas *canvas)
+{
+  GdkRectangle rectangle;
+
+  if (!canvas_locate (canvas, priv (canvas)->cursor, &rectangle))
+    canvas_set_cursor (canvas, (Object){ OBJECT_NONE, 0 });
+}
+
+/* Drawing */
+
+static gboolean
+on_settled (gpointer user)
+{
+  CanvasPrivate *p = priv (user);
+
+  p->settle_source = 0;
+  g_clear_pointer (&p->picture, cairo_surface_destroy);
+  gtk_widget_queue_draw (user);
+  return G_SOURCE_REMOVE;
+}
+
+void
+canvas_set_moving (Canvas *canvas, gboolean moving)
+{
+  CanvasPrivate *p = priv (canvas);
+
+  p->is_moving = moving;
+  if (p->settle_source != 0)
+    g_source_remove (p->settle_source);
+  p->settle_source = 0;
+  if (!moving && p->is_rough)
+    p->settle_source = g_timeout_add (SETTLE_MS, on_settled, canvas);
+}
+
+static void
+paint (Canvas *canvas)
+{
+  CanvasPrivate *p = priv (canvas);
+  GtkWidget *widget = GTK_WIDGET (canvas);
+  const Projection projection = canvas_get_projection (canvas);
+  const gint64 start = g_get_monotonic_time ();
+  cairo_t *cr;
+
+  p->picture = gdk_window_create_similar_surface (
+      gtk_widget_get_window (widget), CAIRO_CONTENT_COLOR,
+      (int)projection.width, (int)projection.height);
+  p->is_rough = p->is_moving && p->cost_us > SLOW_US;
+  cr = cairo_create (p->picture);
+  painter_paint (cr, canvas_get_scene (canvas), &projection,
+                 theme_get (THEME_LIGHT), p->is_rough ? PAINTER_FAST : 0);
+  cairo_destroy (cr);
+  if (!p->is_rough)
+    p->cost_us = g_get_monotonic_time () - start;
+}
+
+static void
+draw_ring (cairo_t *cr, const GdkRectangle *box)
+{
+  const Colour colour = theme_get (THEME_LIGHT)->selection;
+
+  cairo_rectangle (cr, box->x, box->y, box->width, box->height);
+  cairo_set_line_width (cr, 4);
+  cairo_set_source_rgb (cr, 1, 1, 1);
+  cairo_stroke_preserve (cr);
+  cairo_set_line_width (cr, 2);
+  cairo_set_source_rgb (cr, colour.red, colour.green, colour.blue);
+  cairo_set_dash (cr, (const double[]){ 5, 3 }, 2, 0);
+  cairo_stroke (cr);
+}
+
+/* Round the object in focus, else round the whole view; only for who works
+ * with the keyboard. */
+static void
+draw_focus (Canvas *canvas, cairo_t *cr)
+{
+  GtkWidget *widget = GTK_WIDGET (canvas);
+  GdkRectangle box;
+
+  if (canvas_locate (canvas, priv (canvas)->cursor, &box))
+    draw_ring (cr, &box);
+  else
+    gtk_render_focus (gtk_widget_get_style_context (widget), cr, 1, 1,
+                      gtk_widget_get_allocated_width (widget) - 2,
+                      gtk_widget_get_allocated_height (widget) - 2);
+}
+
+void
+canvas_show_focus (Canvas *canvas, gboolean shows)
+{
+  priv (canvas)->shows_focus = shows;
+  gtk_widget_queue_draw (GTK_WIDGET (canvas));
+}
+
+static gboolean
+canvas_draw (GtkWidget *widget, cairo_t *cr)
+{
+  Canvas *canvas = HULL2VD_CANVAS (widget);
+  CanvasPrivate *p = priv (canvas);
+
+  if (p->session == NULL)
+    return FALSE;
+  if (p->picture == NULL)
+    paint (canvas);
+  cairo_set_source_surface (cr, p->picture, 0, 0);
+  cairo_paint (cr);
+  if (p->shows_focus && gtk_widget_has_focus (widget))
+    draw_focus (canvas, cr);
+  return FALSE;
+}
+
+static void
+canvas_size_allocate (GtkWidget *widget, GtkAllocation *allocation)
+{
+  Canvas *canvas = HULL2VD_CANVAS (widget);
+  GtkAllocation before;
+
+  gtk_widget_get_allocation (widget, &before);
+  GTK_WIDGET_CLASS (canvas_parent_class)->size_allocate (widget, allocation);
+  if (before.width != allocation->width || before.height != allocation->height)
+    canvas_invalidate (canvas);
+}
+
+static void
+canvas_unrealize (GtkWidget *widget)
+{
+  g_clear_pointer (&priv (HULL2VD_CANVAS (widget))->picture,
+                   cairo_surface_destroy);
+  GTK_WIDGET_CLASS (canvas_parent_class)->unrealize (widget);
+}
+
+static void
+on_scale_factor (GtkWidget *widget, GParamSpec *pspec, gpointer user)
+{
+  (void)pspec;
+  (void)user;
+  canvas_invalidate (HULL2VD_CANVAS (widget));
+}
+
+/* The session */
+
+static void
+on_changed (Session *session, guint changes, Canvas *canvas)
+{
+  const guint matters = CHANGED_SITES | CHANGED_STEP | CHANGED_LOOK
+                        | CHANGED_CAMERA | CHANGED_LESSON;
+
+  (void)session;
+  if ((changes & matters) == 0)
+    return;
+  canvas_invalidate (canvas);
+  if (changes & CHANGED_SITES)
+    check_cursor (canvas);
+  canvas_accessible_update (GTK_WIDGET (canvas), changes);
+}
+
+void
+canvas_set_session (Canvas *canvas, Session *session)
+{
+  CanvasPrivate *p = priv (canvas);
+
+  g_assert (p->session == NULL);
+  p->session = g_object_ref (session);
+  g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), canvas,
+                           0);
+  canvas_invalidate (canvas);
+}
+
+void
+canvas_fail (Canvas *canvas, const GError *error)
+{
+  g_signal_emit (canvas, signals[SIGNAL_FAILED], 0, error->message);
+}
+
+/* Life */
+
+static void
+canvas_dispose (GObject *object)
+{
+  CanvasPrivate *p = priv (HULL2VD_CANVAS (object));
+
+  if (p->settle_source != 0)
+    g_source_remove (p->settle_source);
+  p->settle_source = 0;
+  for (guint i = 0; i < N_CANVAS_GESTURES; i++)
+    g_clear_object (&p->gestures[i]);
+  for (guint i = 0; i < N_CANVAS_CONTROLLERS; i++)
+    g_clear_object (&p->controllers[i]);
+  g_clear_pointer (&p->picture, cairo_surface_destroy);
+  g_clear_object (&p->session);
+  G_OBJECT_CLASS (canvas_parent_class)->dispose (object);
+}
+
+static void
+canvas_finalize (GObject *object)
+{
+  scene_clear (&priv (HULL2VD_CANVAS (object))->scene);
+  G_OBJECT_CLASS (canvas_parent_class)->finalize (object);
+}
+
+static void
+canvas_class_init (CanvasClass *class)
+{
+  GObjectClass *object_class = G_OBJECT_CLASS (class);
+  GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
+
+  object_class->dispose = canvas_dispose;
+  object_class->finalize = canvas_finalize;
+  widget_class->draw = canvas_draw;
+  widget_class->size_allocate = canvas_size_allocate;
+  widget_class->unrealize = canvas_unrealize;
+  canvas_input_class_init (widget_class);
+  gtk_widget_class_set_accessible_type (widget_class, CANVAS_ACCESSIBLE_TYPE);
+  signals[SIGNAL_FAILED]
+      = g_signal_new ("failed", CANVAS_TYPE, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
+                      NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
+}
+
+static void
+canvas_init (Canvas *canvas)
+{
+  CanvasPrivate *p = priv (canvas);
+
+  gtk_widget_set_can_focus (GTK_WIDGET (canvas), TRUE);
+  canvas_input_attach (canvas, p->gestures, p->controllers);
+  g_signal_connect (canvas, "notify::scale-factor",
+                    G_CALLBACK (on_scale_factor), NULL);
+}

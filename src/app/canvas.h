@@ -1,0 +1,86 @@
+/* Canvas: a drawn view of the session, what plane view and space view have in
+ * common. It keeps the painted picture until something changes, tells the
+ * session what the pointer and the keyboard do, and shows its objects to
+ * assistive technology. */
+#ifndef CANVAS_H
+#define CANVAS_H
+
+#include "painter.h"
+#include "session.h"
+
+#include <gtk/gtk.h>
+
+G_BEGIN_DECLS
+
+#define CANVAS_TYPE (canvas_get_type ())
+G_DECLARE_DERIVABLE_TYPE (Canvas, canvas, HULL2VD, CANVAS, GtkDrawingArea)
+
+/* A press that has become a drag, or a click. */
+typedef struct CanvasPress {
+  Object object; /* under the pointer when it went down */
+  double at_px[2];
+  guint button;
+  GdkModifierType modifiers;
+} CanvasPress;
+
+struct _CanvasClass {
+  GtkDrawingAreaClass parent_class;
+
+  const char *title; /* marked for translation: its accessible name */
+  gboolean is_space;
+
+  /* What the view shows, and where. */
+  void (*build_scene) (Canvas *canvas, Scene *scene);
+  Projection (*project) (Canvas *canvas, double width, double height);
+
+  /* What a person does. Lengths in px of the widget. */
+  void (*zoom) (Canvas *canvas, const double at_px[2], double factor);
+  void (*pan) (Canvas *canvas, const double by_px[2]);
+  void (*click) (Canvas *canvas, const CanvasPress *press);
+  void (*double_click) (Canvas *canvas, const CanvasPress *press);
+  /* Returns: FALSE: nothing to drag here, so the view pans. */
+  gboolean (*drag_begin) (Canvas *canvas, const CanvasPress *press);
+  void (*drag) (Canvas *canvas, const double from_px[2], const double to_px[2]);
+  void (*drag_end) (Canvas *canvas);
+  /* Keys that no canvas knows; Returns: whether it was used. */
+  gboolean (*key) (Canvas *canvas, const GdkEventKey *event);
+  /* The objects that Tab and assistive technology walk through. */
+  guint (*count_objects) (Canvas *canvas);
+  Object (*get_object) (Canvas *canvas, guint index);
+};
+
+void canvas_set_session (Canvas *canvas, Session *session);
+Session *canvas_get_session (Canvas *canvas);
+
+/* Whether the picture shows something of @role: for the legend. */
+gboolean canvas_has_role (Canvas *canvas, Role role);
+
+/* The object that the keyboard is on, OBJECT_NONE when on the whole view. */
+Object canvas_get_cursor (Canvas *canvas);
+void canvas_set_cursor (Canvas *canvas, Object cursor);
+
+/* Whether the keyboard focus is drawn. */
+void canvas_show_focus (Canvas *canvas, gboolean shows);
+
+/* Whether @event means something to the view as it is: then no accelerator
+ * of the window may have it. */
+gboolean canvas_wants_key (Canvas *canvas, const GdkEventKey *event);
+
+/* Where an object is drawn.
+ *
+ * Returns: FALSE when it is not shown. */
+gboolean canvas_locate (Canvas *canvas, Object object, GdkRectangle *rectangle);
+
+Object canvas_pick (Canvas *canvas, const double at_px[2]);
+Projection canvas_get_projection (Canvas *canvas);
+
+/* Says in the window what could not be done. */
+void canvas_fail (Canvas *canvas, const GError *error);
+
+/* For canvas-input.c and the views. */
+void canvas_invalidate (Canvas *canvas);
+void canvas_set_moving (Canvas *canvas, gboolean moving);
+
+G_END_DECLS
+
+#endif

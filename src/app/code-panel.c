@@ -1,0 +1,112 @@
+#include "code-panel.h"
+
+#include "pseudocode.h"
+
+#include <glib/gi18n.h>
+
+#define INDENT_PX 16
+
+struct _CodePanel {
+  GtkBox parent_instance;
+  Session *session;
+  GtkListBox *lines;
+  guint current; /* line, or INDEX_NONE */
+};
+
+G_DEFINE_TYPE (CodePanel, code_panel, GTK_TYPE_BOX)
+
+static void
+mark (CodePanel *panel, guint line, gboolean is_current)
+{
+  GtkListBoxRow *row = gtk_list_box_get_row_at_index (panel->lines, (int)line);
+  GtkWidget *widget = GTK_WIDGET (row);
+  AtkObject *accessible;
+
+  if (row == NULL)
+    return;
+  if (is_current)
+    gtk_style_context_add_class (gtk_widget_get_style_context (widget),
+                                 "current");
+  else
+    gtk_style_context_remove_class (gtk_widget_get_style_context (widget),
+                                    "current");
+  accessible = gtk_widget_get_accessible (widget);
+  atk_object_set_description (accessible, is_current ? _ ("current line") : "");
+}
+
+static void
+update (CodePanel *panel)
+{
+  const guint line = pseudocode_line (session_get_trace (panel->session),
+                                      session_get_step (panel->session));
+
+  if (line == panel->current)
+    return;
+  mark (panel, panel->current, FALSE);
+  mark (panel, line, TRUE);
+  panel->current = line;
+}
+
+static void
+on_changed (Session *session, guint changes, CodePanel *panel)
+{
+  (void)session;
+  if (changes & (CHANGED_SITES | CHANGED_STEP))
+    update (panel);
+}
+
+static void
+add_line (CodePanel *panel, const PseudocodeLine *line)
+{
+  GtkWidget *row = gtk_list_box_row_new ();
+  GtkWidget *label = gtk_label_new (_ (line->text));
+
+  gtk_label_set_xalign (GTK_LABEL (label), 0);
+  gtk_label_set_line_wrap (GTK_LABEL (label), TRUE);
+  gtk_widget_set_margin_start (label, INDENT_PX * line->indent);
+  gtk_container_add (GTK_CONTAINER (row), label);
+  gtk_list_box_row_set_activatable (GTK_LIST_BOX_ROW (row), FALSE);
+  gtk_widget_set_can_focus (row, FALSE);
+  gtk_widget_show_all (row);
+  gtk_container_add (GTK_CONTAINER (panel->lines), row);
+}
+
+void
+code_panel_set_session (CodePanel *panel, Session *session)
+{
+  uint32_t n_lines;
+  const PseudocodeLine *lines = pseudocode_lines (&n_lines);
+
+  g_assert (panel->session == NULL);
+  panel->session = g_object_ref (session);
+  for (guint i = 0; i < n_lines; i++)
+    add_line (panel, &lines[i]);
+  g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), panel,
+                           0);
+  update (panel);
+}
+
+static void
+code_panel_dispose (GObject *object)
+{
+  g_clear_object (&HULL2VD_CODE_PANEL (object)->session);
+  G_OBJECT_CLASS (code_panel_parent_class)->dispose (object);
+}
+
+static void
+code_panel_class_init (CodePanelClass *class)
+{
+  GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
+
+  G_OBJECT_CLASS (class)->dispose = code_panel_dispose;
+  gtk_widget_class_set_template_from_resource (
+      widget_class, "/io/github/hull2vd/Hull2VD/code-panel.ui");
+  gtk_widget_class_bind_template_child (widget_class, CodePanel, lines);
+}
+
+static void
+code_panel_init (CodePanel *panel)
+{
+  panel->current = INDEX_NONE;
+  gtk_widget_init_template (GTK_WIDGET (panel));
+}

@@ -1,0 +1,85 @@
+#include "file-dialogs.h"
+
+#include <glib/gi18n.h>
+
+typedef struct Choice {
+  FileChosen on_chosen;
+  gpointer user;
+} Choice;
+
+static void
+on_response (GtkNativeDialog *dialog, int response, Choice *choice)
+{
+  if (response == GTK_RESPONSE_ACCEPT) {
+    g_autofree char *path
+        = gtk_file_chooser_get_filename (GTK_FILE_CHOOSER (dialog));
+
+    if (path != NULL)
+      choice->on_chosen (path, choice->user);
+  }
+  g_free (choice);
+  g_object_unref (dialog);
+}
+
+static GtkFileChooser *
+make_dialog (GtkWindow *parent, const char *title, gboolean saves)
+{
+  GtkFileChooserNative *dialog = gtk_file_chooser_native_new (
+      title, parent,
+      saves ? GTK_FILE_CHOOSER_ACTION_SAVE : GTK_FILE_CHOOSER_ACTION_OPEN,
+      saves ? _ ("_Save") : _ ("_Open"), _ ("_Cancel"));
+
+  gtk_native_dialog_set_modal (GTK_NATIVE_DIALOG (dialog), TRUE);
+  return GTK_FILE_CHOOSER (dialog);
+}
+
+static void
+show_dialog (GtkFileChooser *dialog, FileChosen on_chosen, gpointer user)
+{
+  Choice *choice = g_new0 (Choice, 1);
+
+  choice->on_chosen = on_chosen;
+  choice->user = user;
+  g_signal_connect (dialog, "response", G_CALLBACK (on_response), choice);
+  gtk_native_dialog_show (GTK_NATIVE_DIALOG (dialog));
+}
+
+static void
+add_filter (GtkFileChooser *dialog, const char *name, const char *patterns)
+{
+  GtkFileFilter *filter = gtk_file_filter_new ();
+  g_auto (GStrv) each = g_strsplit (patterns, " ", -1);
+
+  gtk_file_filter_set_name (filter, name);
+  for (guint i = 0; each[i] != NULL; i++)
+    gtk_file_filter_add_pattern (filter, each[i]);
+  gtk_file_chooser_add_filter (dialog, filter);
+}
+
+void
+file_dialog_open (GtkWindow *parent,
+                  const char *title,
+                  FileChosen on_chosen,
+                  gpointer user)
+{
+  GtkFileChooser *dialog = make_dialog (parent, title, FALSE);
+
+  add_filter (dialog, _ ("Lessons and points"),
+              "*.md *.txt *.csv *.xy *.points");
+  add_filter (dialog, _ ("All files"), "*");
+  show_dialog (dialog, on_chosen, user);
+}
+
+void
+file_dialog_save (GtkWindow *parent,
+                  const char *title,
+                  const char *name,
+                  FileChosen on_chosen,
+                  gpointer user)
+{
+  GtkFileChooser *dialog = make_dialog (parent, title, TRUE);
+
+  gtk_file_chooser_set_do_overwrite_confirmation (dialog, TRUE);
+  gtk_file_chooser_set_current_name (dialog, name);
+  show_dialog (dialog, on_chosen, user);
+}

@@ -1,0 +1,26 @@
+/* File dialogs: those of the desktop, without waiting in them. */
+#ifndef FILE_DIALOGS_H
+#define FILE_DIALOGS_H
+
+#include <gtk/gtk.h>
+
+G_BEGIN_DECLS
+
+/* Called when a file has been chosen, not when the dialog was given up. */
+typedef void (*FileChosen) (const char *path, gpointer user);
+
+void file_dialog_open (GtkWindow *parent,
+                       const char *title,
+                       FileChosen on_chosen,
+                       gpointer user);
+
+/* Asks before an existing file is replaced. */
+void file_dialog_save (GtkWindow *parent,
+                       const char *title,
+                       const char *name,
+                       FileChosen on_chosen,
+                       gpointer user);
+
+G_END_DECLS
+
+#endif

@@ -1,0 +1,220 @@
+#include "hull2vd-application.h"
+
+#include "action.h"
+#include "lesson-list.h"
+#include "window-private.h"
+
+#include <glib/gi18n.h>
+#include <sysexits.h>
+
+struct _Hull2vdApplication {
+  GtkApplication parent_instance;
+};
+
+G_DEFINE_TYPE (Hull2vdApplication, hull2vd_application, GTK_TYPE_APPLICATION)
+
+/* Start */
+
+static void
+load_style (void)
+{
+  g_autoptr (GtkCssProvider) style = gtk_css_provider_new ();
+
+  gtk_css_provider_load_from_resource (style,
+                                       "/io/github/hull2vd/Hull2VD/style.css");
+  gtk_style_context_add_provider_for_screen (
+      gdk_screen_get_default (), GTK_STYLE_PROVIDER (style),
+      GTK_STYLE_PROVIDER_PRIORITY_APPLICATION);
+}
+
+/* Where no desktop says which font, this one. */
+static void
+choose_font (void)
+{
+  GtkSettings *settings = gtk_settings_get_default ();
+  g_autofree char *font = NULL;
+
+  g_object_get (settings, "gtk-font-name", &font, NULL);
+  if (g_strcmp0 (font, "Sans 10") == 0)
+    g_object_set (settings, "gtk-font-name", "Cantarell,Sans 11", NULL);
+}
+
+static void
+set_accelerators (GtkApplication *application)
+{
+  guint n_actions;
+  const Action *actions = action_table (&n_actions);
+
+  for (guint i = 0; i < n_actions; i++) {
+    g_autofree char *name = NULL;
+    g_auto (GStrv) keys = NULL;
+
+    if (actions[i].keys == NULL || (actions[i].where & ACTION_IN_WINDOW) == 0
+        || actions[i].parameter != NULL)
+      continue;
+    name = g_strconcat ("win.", actions[i].name, NULL);
+    keys = g_strsplit (actions[i].keys, " ", -1);
+    gtk_application_set_accels_for_action (application, name,
+                                           (const char *const *)keys);
+  }
+  gtk_application_set_accels_for_action (
+      application, "app.quit", (const char *const[]){ "<Primary>q", NULL });
+}
+
+static void
+on_quit (GSimpleAction *action, GVariant *parameter, gpointer user)
+{
+  GList *windows
+      = g_list_copy (gtk_application_get_windows (GTK_APPLICATION (user)));
+
+  (void)action;
+  (void)parameter;
+  /* Each window may ask whether to save. */
+  for (GList *node = windows; node != NULL; node = node->next)
+    gtk_window_close (node->data);
+  g_list_free (windows);
+}
+
+static void
+hull2vd_application_startup (GApplication *application)
+{
+  static const GActionEntry entries[]
+      = { { "quit", on_quit, NULL, NULL, NULL, { 0 } } };
+
+  G_APPLICATION_CLASS (hull2vd_application_parent_class)->startup (application);
+  g_set_application_name ("Hull2VD");
+  gtk_window_set_default_icon_name (HULL2VD_APPLICATION_ID);
+  choose_font ();
+  load_style ();
+  g_action_map_add_action_entries (G_ACTION_MAP (application), entries,
+                                   G_N_ELEMENTS (entries), application);
+  set_accelerators (GTK_APPLICATION (application));
+}
+
+/* Windows */
+
+static Hull2vdWindow *
+get_window (GApplication *application)
+{
+  GtkWindow *window
+      = gtk_application_get_active_window (GTK_APPLICATION (application));
+
+  if (HULL2VD_IS_WINDOW (window))
+    return HULL2VD_WINDOW (window);
+  return hull2vd_window_new (GTK_APPLICATION (application));
+}
+
+static void
+load_first_lesson (Hull2vdWindow *window)
+{
+  g_autofree char *path = lesson_list_first ();
+
+  if (path != NULL)
+    window_files_load (window, path);
+}
+
+static void
+hull2vd_application_activate (GApplication *application)
+{
+  const gboolean is_first
+      = gtk_application_get_windows (GTK_APPLICATION (application)) == NULL;
+  Hull2vdWindow *window = get_window (application);
+
+  if (is_first)
+    load_first_lesson (window);
+  gtk_window_present (GTK_WINDOW (window));
+}
+
+/* As the person gave it, so that messages are those of the terminal. */
+static char *
+path_of (GFile *file)
+{
+  g_autofree char *folder = g_get_current_dir ();
+  g_autoptr (GFile) here = g_file_new_for_path (folder);
+  char *path = g_file_get_relative_path (here, file);
+
+  return path != NULL ? path : g_file_get_parse_name (file);
+}
+
+static void
+open_file (GApplication *application, GFile *file)
+{
+  const gboolean is_first
+      = gtk_application_get_windows (GTK_APPLICATION (application)) == NULL;
+  Hull2vdWindow *window = get_window (application);
+  g_autofree char *path = path_of (file);
+
+  /* Work that is in no file keeps its window. */
+  if (window_files_is_modified (window))
+    window = hull2vd_window_new (GTK_APPLICATION (application));
+  if (!window_files_load (window, path) && is_first) {
+    load_first_lesson (window);
+    window_files_load (window, path); /* says again why not */
+  }
+  gtk_window_present (GTK_WINDOW (window));
+}
+
+static void
+hull2vd_application_open (GApplication *application,
+                          GFile **files,
+                          int n_files,
+                          const char *hint)
+{
+  (void)hint;
+  for (int i = 0; i < n_files; i++)
+    open_file (application, files[i]);
+}
+
+/* Life */
+
+static int
+hull2vd_application_handle_local_options (GApplication *application,
+                                          GVariantDict *options)
+{
+  (void)application;
+  if (g_variant_dict_contains (options, "version")) {
+    g_print ("hull2vd %s\n", HULL2VD_VERSION);
+    return EX_OK;
+  }
+  if (!gtk_init_check (NULL, NULL)) {
+    g_printerr ("hull2vd: %s\n", _ ("cannot open the display"));
+    return EX_UNAVAILABLE;
+  }
+  return -1;
+}
+
+static void
+hull2vd_application_class_init (Hull2vdApplicationClass *class)
+{
+  GApplicationClass *application_class = G_APPLICATION_CLASS (class);
+
+  application_class->startup = hull2vd_application_startup;
+  application_class->activate = hull2vd_application_activate;
+  application_class->open = hull2vd_application_open;
+  application_class->handle_local_options
+      = hull2vd_application_handle_local_options;
+}
+
+static void
+hull2vd_application_init (Hull2vdApplication *application)
+{
+  GApplication *app = G_APPLICATION (application);
+
+  g_application_add_main_option (app, "version", 0, G_OPTION_FLAG_NONE,
+                                 G_OPTION_ARG_NONE, N_ ("Say the version"),
+                                 NULL);
+  g_application_set_option_context_parameter_string (app,
+                                                     _ ("[LESSON|POINTS…]"));
+  g_application_set_option_context_summary (
+      app,
+      _ ("Convex hulls, Delaunay triangulations and Voronoi diagrams, step by "
+         "step."));
+}
+
+Hull2vdApplication *
+hull2vd_application_new (void)
+{
+  return g_object_new (HULL2VD_APPLICATION_TYPE, "application-id",
+                       HULL2VD_APPLICATION_ID, "flags",
+                       G_APPLICATION_HANDLES_OPEN, NULL);
+}

@@ -1,0 +1,298 @@
+#include "hull2vd-window.h"
+
+#include "lesson-list.h"
+#include "settings.h"
+#include "tooltips.h"
+#include "window-private.h"
+
+#include <glib/gi18n.h>
+
+G_DEFINE_TYPE (Hull2vdWindow, hull2vd_window, GTK_TYPE_APPLICATION_WINDOW)
+
+Session *
+hull2vd_window_get_session (Hull2vdWindow *window)
+{
+  return window->session;
+}
+
+void
+hull2vd_window_say (Hull2vdWindow *window, const char *message)
+{
+  gtk_label_set_text (window->info_label, message);
+  gtk_info_bar_set_revealed (window->info_bar, TRUE);
+}
+
+/* Title */
+
+static char *
+lesson_subtitle (Hull2vdWindow *window, const Lesson *lesson)
+{
+  const guint number = lesson_list_number (lesson->path);
+  const guint stop = session_get_stop (window->session) + 1;
+
+  if (number == 0)
+    return g_strdup_printf (_ ("Stop %u of %u"), stop, lesson->stops->len);
+  return g_strdup_printf (_ ("Lesson %u · stop %u of %u"), number, stop,
+                          lesson->stops->len);
+}
+
+static char *
+sites_subtitle (Hull2vdWindow *window)
+{
+  const guint n_sites = session_get_set (window->session)->n_sites;
+
+  return g_strdup_printf (ngettext ("%u site", "%u sites", n_sites), n_sites);
+}
+
+static char *
+sites_title (Hull2vdWindow *window)
+{
+  if (window->path == NULL)
+    return g_strdup (_ ("New sites"));
+  return g_filename_display_basename (window->path);
+}
+
+static void
+update_title (Hull2vdWindow *window)
+{
+  const Lesson *lesson = session_get_lesson (window->session);
+  g_autofree char *title
+      = lesson != NULL ? g_strdup (lesson->title) : sites_title (window);
+  g_autofree char *subtitle = lesson != NULL ? lesson_subtitle (window, lesson)
+                                             : sites_subtitle (window);
+  g_autofree char *whole = g_strdup_printf ("%s – Hull2VD", title);
+
+  gtk_window_set_title (GTK_WINDOW (window), whole);
+  /* After the window's, which the bar would take over. */
+  gtk_header_bar_set_title (window->header_bar, title);
+  gtk_header_bar_set_subtitle (window->header_bar, subtitle);
+}
+
+/* Hints where a picture is empty */
+
+static void
+set_hint (GtkLabel *label, const char *text)
+{
+  gtk_label_set_text (label, text != NULL ? text : "");
+  gtk_widget_set_visible (GTK_WIDGET (label), text != NULL);
+}
+
+static const char *
+space_hint (const SiteSet *set, const Trace *trace)
+{
+  if (set->n_sites == 0)
+    return _ ("Here the sites are lifted onto a paraboloid");
+  if (!trace->is_flat)
+    return NULL;
+  if (set->n_distinct < 4)
+    return _ ("A hull in space begins with four sites");
+  return _ ("No simplex: all lifts lie in one plane");
+}
+
+static void
+update_hints (Hull2vdWindow *window)
+{
+  const SiteSet *set = session_get_set (window->session);
+  const Trace *trace = session_get_trace (window->session);
+
+  set_hint (window->plane_hint,
+            set->n_sites == 0 ? _ ("Click in the plane to add the first site")
+                              : NULL);
+  set_hint (window->space_hint, space_hint (set, trace));
+}
+
+/* The undo buttons say what they undo. */
+static void
+update_history (Hull2vdWindow *window)
+{
+  const char *undo = session_get_undo_label (window->session);
+  const char *redo = session_get_redo_label (window->session);
+
+  tooltips_set (window->undo_button, "undo", undo);
+  tooltips_set (window->redo_button, "redo", redo);
+}
+
+static void
+on_changed (Session *session, guint changes, Hull2vdWindow *window)
+{
+  (void)session;
+  if (changes & (CHANGED_SITES | CHANGED_LESSON)) {
+    update_title (window);
+    update_hints (window);
+  }
+  if (changes & CHANGED_HISTORY)
+    update_history (window);
+}
+
+static void
+on_failed (Canvas *canvas, const char *message, Hull2vdWindow *window)
+{
+  (void)canvas;
+  hull2vd_window_say (window, message);
+}
+
+static void
+on_info_response (GtkInfoBar *bar, int response, gpointer user)
+{
+  (void)response;
+  (void)user;
+  gtk_info_bar_set_revealed (bar, FALSE);
+}
+
+/* Keys */
+
+/* Whether the focus may have a key before the window's accelerators: letters
+ * in entries, Space on a button, arrows in a menu or on a site. */
+static gboolean
+focus_wants_key (GtkWidget *focus, const GdkEventKey *event)
+{
+  const gboolean is_press = event->keyval == GDK_KEY_space
+                            || event->keyval == GDK_KEY_Return
+                            || event->keyval == GDK_KEY_KP_Enter;
+
+  if (focus == NULL)
+    return FALSE;
+  if (GTK_IS_EDITABLE (focus)
+      || gtk_widget_get_ancestor (focus, GTK_TYPE_POPOVER) != NULL)
+    return TRUE;
+  if (HULL2VD_IS_CANVAS (focus))
+    return canvas_wants_key (HULL2VD_CANVAS (focus), event);
+  return GTK_IS_BUTTON (focus) && is_press;
+}
+
+static gboolean
+hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
+{
+  GtkWindow *window = GTK_WINDOW (widget);
+
+  if (focus_wants_key (gtk_window_get_focus (window), event)
+      && gtk_window_propagate_key_event (window, event))
+    return TRUE;
+  return GTK_WIDGET_CLASS (hull2vd_window_parent_class)
+      ->key_press_event (widget, event);
+}
+
+/* Life */
+
+static void
+connect_session (Hull2vdWindow *window)
+{
+  Session *session = window->session;
+
+  canvas_set_session (HULL2VD_CANVAS (window->plane_view), session);
+  canvas_set_session (HULL2VD_CANVAS (window->space_view), session);
+  lesson_panel_set_session (window->lesson_panel, session);
+  code_panel_set_session (window->code_panel, session);
+  counters_panel_set_session (window->counters_panel, session);
+  legend_panel_set_views (window->legend_panel,
+                          HULL2VD_CANVAS (window->plane_view),
+                          HULL2VD_CANVAS (window->space_view));
+  narration_bar_set_session (window->narration_bar, session);
+  transport_set_session (window->transport, session);
+  g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), window,
+                           0);
+  g_signal_connect (window->plane_view, "failed", G_CALLBACK (on_failed),
+                    window);
+  g_signal_connect (window->space_view, "failed", G_CALLBACK (on_failed),
+                    window);
+}
+
+static void
+hull2vd_window_dispose (GObject *object)
+{
+  Hull2vdWindow *window = HULL2VD_WINDOW (object);
+
+  g_clear_object (&window->session);
+  g_clear_object (&window->settings);
+  g_clear_pointer (&window->path, g_free);
+  g_clear_pointer (&window->saved, g_free);
+  G_OBJECT_CLASS (hull2vd_window_parent_class)->dispose (object);
+}
+
+#define BIND(name)                                                             \
+  gtk_widget_class_bind_template_child (widget_class, Hull2vdWindow, name)
+
+static void
+bind_children (GtkWidgetClass *widget_class)
+{
+  BIND (header_bar);
+  BIND (lessons_button);
+  BIND (view_button);
+  BIND (main_button);
+  BIND (undo_button);
+  BIND (redo_button);
+  BIND (info_bar);
+  BIND (info_label);
+  BIND (columns);
+  BIND (lesson_paned);
+  BIND (view_paned);
+  BIND (left_column);
+  BIND (right_column);
+  BIND (right_box);
+  BIND (tabs);
+  BIND (stack);
+  BIND (space_bar);
+  BIND (plane_view);
+  BIND (space_view);
+  BIND (plane_hint);
+  BIND (space_hint);
+  BIND (lesson_panel);
+  BIND (code_panel);
+  BIND (counters_panel);
+  BIND (legend_panel);
+  BIND (narration_bar);
+  BIND (transport);
+}
+
+static void
+ensure_types (void)
+{
+  g_type_ensure (COLUMNS_TYPE);
+  g_type_ensure (LESSON_PANEL_TYPE);
+  g_type_ensure (CODE_PANEL_TYPE);
+  g_type_ensure (COUNTERS_PANEL_TYPE);
+  g_type_ensure (LEGEND_PANEL_TYPE);
+  g_type_ensure (PLANE_VIEW_TYPE);
+  g_type_ensure (SPACE_VIEW_TYPE);
+  g_type_ensure (NARRATION_BAR_TYPE);
+  g_type_ensure (TRANSPORT_TYPE);
+}
+
+static void
+hull2vd_window_class_init (Hull2vdWindowClass *class)
+{
+  GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
+
+  G_OBJECT_CLASS (class)->dispose = hull2vd_window_dispose;
+  widget_class->key_press_event = hull2vd_window_key_press;
+  ensure_types ();
+  gtk_widget_class_set_template_from_resource (
+      widget_class, "/io/github/hull2vd/Hull2VD/window.ui");
+  bind_children (widget_class);
+}
+
+static void
+hull2vd_window_init (Hull2vdWindow *window)
+{
+  gtk_widget_init_template (GTK_WIDGET (window));
+  window->session = session_new ();
+  window->settings = settings_new ();
+  connect_session (window);
+  window_layout_init (window);
+  window_actions_init (window);
+  window_menus_init (window);
+  window_files_init (window);
+  tooltips_add (GTK_WIDGET (window));
+  update_title (window);
+  update_hints (window);
+  update_history (window);
+  g_signal_connect (window->info_bar, "response", G_CALLBACK (on_info_response),
+                    NULL);
+  gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
+}
+
+Hull2vdWindow *
+hull2vd_window_new (GtkApplication *application)
+{
+  return g_object_new (HULL2VD_WINDOW_TYPE, "application", application, NULL);
+}

@@ -1,0 +1,196 @@
+#include "legend-panel.h"
+
+#include <glib/gi18n.h>
+
+#define SWATCH_WIDTH 28
+#define SWATCH_HEIGHT 16
+
+struct _LegendPanel {
+  GtkBox parent_instance;
+  Canvas *views[2];
+  GtkGrid *grid;
+  GtkWidget *rows[N_ROLES];
+  GtkWidget *names[N_ROLES];
+  int n_shown;
+  int n_columns;
+};
+
+G_DEFINE_TYPE (LegendPanel, legend_panel, GTK_TYPE_BOX)
+
+/* Short, for two columns. NULL: speaks for itself. {p} is the site in hand,
+ * f the facet selected. */
+static const char *const role_texts[N_ROLES] = {
+  [ROLE_SHEET] = N_ ("paraboloid"),
+  [ROLE_LOWER] = N_ ("lower facet"),
+  [ROLE_UPPER] = N_ ("upper facet"),
+  [ROLE_VERTICAL] = N_ ("vertical facet"),
+  [ROLE_VISIBLE] = N_ ("{p} sees: lower"),
+  [ROLE_VISIBLE_UPPER] = N_ ("{p} sees: upper"),
+  [ROLE_RETIRED] = N_ ("retired"),
+  [ROLE_CONE] = N_ ("cone: lower"),
+  [ROLE_CONE_UPPER] = N_ ("cone: upper"),
+  [ROLE_SELECTED_FACET] = N_ ("facet f in hand"),
+  [ROLE_CIRCLE] = N_ ("circumcircle"),
+  [ROLE_CIRCLE_VISIBLE] = N_ ("contains {p}"),
+  [ROLE_CIRCLE_UPPER] = N_ ("{p} is outside"),
+  [ROLE_CIRCLE_SELECTED] = N_ ("selected circle"),
+  [ROLE_VORONOI_EDGE] = N_ ("Voronoi edge"),
+  [ROLE_DELAUNAY_EDGE] = N_ ("Delaunay edge"),
+  [ROLE_FREE_EDGE] = N_ ("free diagonal"),
+  [ROLE_HORIZON] = N_ ("horizon"),
+  [ROLE_HORIZON_UPPER] = N_ ("horizon, upper"),
+  [ROLE_LIFT] = N_ ("lift"),
+  [ROLE_DROP] = N_ ("height over f"),
+  [ROLE_VORONOI_VERTEX] = N_ ("Voronoi vertex"),
+  [ROLE_VORONOI_VERTEX_DYING] = N_ ("vertex will go"),
+  [ROLE_SITE] = N_ ("on the hull"),
+  [ROLE_SITE_WAITING] = N_ ("waits"),
+  [ROLE_SITE_OUTSIDE] = N_ ("outside set of f"),
+  [ROLE_SITE_APEX] = N_ ("new site {p}"),
+  [ROLE_SITE_DUPLICATE] = N_ ("duplicate"),
+};
+
+static char *
+text_of (Role role, Session *session)
+{
+  const Frame *frame = session_get_frame (session);
+  g_autoptr (GString) text = g_string_new (_ (role_texts[role]));
+  g_autofree char *site = NULL;
+
+  if (frame->round == INDEX_NONE)
+    site = g_strdup ("p");
+  else
+    site = g_strdup_printf ("s%u", frame->trace->rounds[frame->round].site);
+  g_string_replace (text, "{p}", site, 0);
+  return g_string_free (g_steal_pointer (&text), FALSE);
+}
+
+/* Puts the rows that are shown one below the other, in columns. */
+static void
+arrange (LegendPanel *panel)
+{
+  const int n_rows = (panel->n_shown + panel->n_columns - 1) / panel->n_columns;
+  int place = 0;
+
+  for (Role role = 0; role < N_ROLES; role++) {
+    if (role_texts[role] == NULL || !gtk_widget_get_visible (panel->rows[role]))
+      continue;
+    gtk_container_child_set (GTK_CONTAINER (panel->grid), panel->rows[role],
+                             "left-attach", place / n_rows, "top-attach",
+                             place % n_rows, NULL);
+    place++;
+  }
+}
+
+static void
+update (LegendPanel *panel)
+{
+  panel->n_shown = 0;
+  for (Role role = 0; role < N_ROLES; role++) {
+    g_autofree char *text = NULL;
+    gboolean is_shown;
+
+    if (role_texts[role] == NULL)
+      continue;
+    is_shown = canvas_has_role (panel->views[0], role)
+               || canvas_has_role (panel->views[1], role);
+    gtk_widget_set_visible (panel->rows[role], is_shown);
+    if (!is_shown)
+      continue;
+    panel->n_shown++;
+    text = text_of (role, canvas_get_session (panel->views[0]));
+    gtk_label_set_text (GTK_LABEL (panel->names[role]), text);
+    gtk_widget_set_tooltip_text (panel->names[role], text);
+  }
+  arrange (panel);
+}
+
+void
+legend_panel_set_columns (LegendPanel *panel, int n_columns)
+{
+  panel->n_columns = n_columns;
+  arrange (panel);
+}
+
+static void
+on_changed (Session *session, guint changes, LegendPanel *panel)
+{
+  (void)session;
+  if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_LOOK))
+    update (panel);
+}
+
+static gboolean
+on_draw_swatch (GtkWidget *widget, cairo_t *cr, gpointer user)
+{
+  painter_swatch (cr, (Role)GPOINTER_TO_INT (user), theme_get (THEME_LIGHT),
+                  gtk_widget_get_allocated_width (widget),
+                  gtk_widget_get_allocated_height (widget));
+  return TRUE;
+}
+
+static void
+add_row (LegendPanel *panel, Role role)
+{
+  GtkWidget *row = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 8);
+  GtkWidget *swatch = gtk_drawing_area_new ();
+  GtkWidget *name = gtk_label_new (NULL);
+
+  gtk_widget_set_size_request (swatch, SWATCH_WIDTH, SWATCH_HEIGHT);
+  gtk_widget_set_valign (swatch, GTK_ALIGN_CENTER);
+  g_signal_connect (swatch, "draw", G_CALLBACK (on_draw_swatch),
+                    GINT_TO_POINTER ((int)role));
+  gtk_label_set_xalign (GTK_LABEL (name), 0);
+  gtk_label_set_ellipsize (GTK_LABEL (name), PANGO_ELLIPSIZE_END);
+  gtk_widget_set_hexpand (name, TRUE);
+  gtk_container_add (GTK_CONTAINER (row), swatch);
+  gtk_container_add (GTK_CONTAINER (row), name);
+  gtk_widget_show_all (row);
+  gtk_widget_hide (row);
+  gtk_grid_attach (panel->grid, row, 0, (int)role, 1, 1);
+  panel->rows[role] = row;
+  panel->names[role] = name;
+}
+
+void
+legend_panel_set_views (LegendPanel *panel, Canvas *plane, Canvas *space)
+{
+  g_assert (panel->views[0] == NULL);
+  panel->views[0] = g_object_ref (plane);
+  panel->views[1] = g_object_ref (space);
+  /* After the views, whose scenes are read. */
+  g_signal_connect_object (canvas_get_session (plane), "changed",
+                           G_CALLBACK (on_changed), panel, G_CONNECT_AFTER);
+  update (panel);
+}
+
+static void
+legend_panel_dispose (GObject *object)
+{
+  LegendPanel *panel = HULL2VD_LEGEND_PANEL (object);
+
+  g_clear_object (&panel->views[0]);
+  g_clear_object (&panel->views[1]);
+  G_OBJECT_CLASS (legend_panel_parent_class)->dispose (object);
+}
+
+static void
+legend_panel_class_init (LegendPanelClass *class)
+{
+  GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
+
+  G_OBJECT_CLASS (class)->dispose = legend_panel_dispose;
+  gtk_widget_class_set_template_from_resource (
+      widget_class, "/io/github/hull2vd/Hull2VD/legend-panel.ui");
+  gtk_widget_class_bind_template_child (widget_class, LegendPanel, grid);
+}
+
+static void
+legend_panel_init (LegendPanel *panel)
+{
+  gtk_widget_init_template (GTK_WIDGET (panel));
+  panel->n_columns = 2;
+  for (Role role = 0; role < N_ROLES; role++)
+    if (role_texts[role] != NULL)
+      add_row (panel, role);
+}

@@ -1,0 +1,15 @@
+#include "hull2vd-application.h"
+#include "locate.h"
+
+#include <locale.h>
+
+int
+main (int argc, char **argv)
+{
+  g_autoptr (Hull2vdApplication) application = NULL;
+
+  setlocale (LC_ALL, "");
+  locate_translations ();
+  application = hull2vd_application_new ();
+  return g_application_run (G_APPLICATION (application), argc, argv);
+}

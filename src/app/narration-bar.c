@@ -1,0 +1,126 @@
+#include "narration-bar.h"
+
+#include "narration-markup.h"
+
+#include <glib/gi18n.h>
+
+struct _NarrationBar {
+  GtkBox parent_instance;
+  Session *session;
+  GtkLabel *sentence;
+  GtkLabel *place;
+  char *told; /* the sentence that was announced last */
+};
+
+G_DEFINE_TYPE (NarrationBar, narration_bar, GTK_TYPE_BOX)
+
+static const char *
+phase_text (Phase phase)
+{
+  switch (phase) {
+  case PHASE_START:
+    return _ ("start");
+  case PHASE_SIMPLEX:
+    return _ ("first simplex");
+  case PHASE_CHOOSE:
+    return _ ("choose");
+  case PHASE_SEE:
+    return _ ("see");
+  case PHASE_HORIZON:
+    return _ ("horizon");
+  case PHASE_CONE:
+    return _ ("cone");
+  case PHASE_HAND_OVER:
+    return _ ("hand over");
+  case PHASE_COMPLETE:
+    return _ ("complete");
+  }
+  return "";
+}
+
+static char *
+place_text (Session *session)
+{
+  const guint n_events = session_get_trace (session)->n_events;
+  const guint step = session_get_step (session);
+  const Place place = session_get_place (session);
+  const char *phase = phase_text (place.phase);
+
+  if (place.round == 0 || place.phase == PHASE_COMPLETE)
+    return g_strdup_printf (_ ("event %u of %u · %s"), step, n_events, phase);
+  return g_strdup_printf (_ ("event %u of %u · round %u, %s"), step, n_events,
+                          place.round, phase);
+}
+
+/* Readers of the screen say each step once, whatever has the focus. */
+static void
+announce (NarrationBar *bar, const char *sentence)
+{
+  AtkObject *accessible
+      = gtk_widget_get_accessible (GTK_WIDGET (bar->sentence));
+
+  if (g_strcmp0 (bar->told, sentence) == 0)
+    return;
+  g_free (bar->told);
+  bar->told = g_strdup (sentence);
+  if (g_signal_lookup ("announcement", G_OBJECT_TYPE (accessible)) != 0)
+    g_signal_emit_by_name (accessible, "announcement", sentence);
+}
+
+static void
+update (NarrationBar *bar)
+{
+  g_autofree char *sentence = session_narrate (bar->session);
+  g_autofree char *markup = narration_to_markup (
+      sentence, session_get_frame (bar->session), theme_get (THEME_LIGHT));
+  g_autofree char *place = place_text (bar->session);
+
+  gtk_label_set_markup (bar->sentence, markup);
+  gtk_label_set_text (bar->place, place);
+  announce (bar, sentence);
+}
+
+static void
+on_changed (Session *session, guint changes, NarrationBar *bar)
+{
+  (void)session;
+  if (changes & (CHANGED_SITES | CHANGED_STEP))
+    update (bar);
+}
+
+void
+narration_bar_set_session (NarrationBar *bar, Session *session)
+{
+  g_assert (bar->session == NULL);
+  bar->session = g_object_ref (session);
+  g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), bar, 0);
+  update (bar);
+}
+
+static void
+narration_bar_dispose (GObject *object)
+{
+  NarrationBar *bar = HULL2VD_NARRATION_BAR (object);
+
+  g_clear_pointer (&bar->told, g_free);
+  g_clear_object (&bar->session);
+  G_OBJECT_CLASS (narration_bar_parent_class)->dispose (object);
+}
+
+static void
+narration_bar_class_init (NarrationBarClass *class)
+{
+  GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
+
+  G_OBJECT_CLASS (class)->dispose = narration_bar_dispose;
+  gtk_widget_class_set_template_from_resource (
+      widget_class, "/io/github/hull2vd/Hull2VD/narration-bar.ui");
+  gtk_widget_class_bind_template_child (widget_class, NarrationBar, sentence);
+  gtk_widget_class_bind_template_child (widget_class, NarrationBar, place);
+}
+
+static void
+narration_bar_init (NarrationBar *bar)
+{
+  gtk_widget_init_template (GTK_WIDGET (bar));
+}

@@ -1,0 +1,21 @@
+/* The narration as markup: names bold, what is loud in the pictures in its
+ * own colour. */
+#ifndef NARRATION_MARKUP_H
+#define NARRATION_MARKUP_H
+
+#include "frame.h"
+#include "theme.h"
+
+#include <glib.h>
+
+G_BEGIN_DECLS
+
+/* Returns: (transfer full): Pango markup of @sentence, the narration of
+ *          @frame. */
+char *narration_to_markup (const char *sentence,
+                           const Frame *frame,
+                           const Theme *theme);
+
+G_END_DECLS
+
+#endif

@@ -1,0 +1,259 @@
+#include "plane-view.h"
+
+#include "canvas-input.h"
+#include "site-edit.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+#define SITE_REACH_PX 12.0
+#define ZOOM_LEAST 0.1
+#define ZOOM_MOST 1e6
+
+struct _PlaneView {
+  Canvas parent_instance;
+  guint dragged;     /* site */
+  double grip_px[2]; /* from the pointer to the site */
+};
+
+G_DEFINE_TYPE (PlaneView, plane_view, CANVAS_TYPE)
+
+/* The picture */
+
+static Projection
+plane_view_project (Canvas *canvas, double width, double height)
+{
+  const PlaneCamera *camera
+      = session_get_plane_camera (canvas_get_session (canvas));
+
+  return plane_camera_projection (camera, width, height);
+}
+
+/* Room for the frame of the picture. */
+#define INSET_PX 6.0
+
+static void
+plane_view_build_scene (Canvas *canvas, Scene *scene)
+{
+  Session *session = canvas_get_session (canvas);
+  const Projection projection = canvas_get_projection (canvas);
+  SceneLook look = *session_get_look (session);
+
+  scene_look_fit (&look, &projection, INSET_PX);
+  scene_plane (scene, session_get_frame (session), &look);
+}
+
+static void
+plane_view_zoom (Canvas *canvas, const double at_px[2], double factor)
+{
+  Session *session = canvas_get_session (canvas);
+  PlaneCamera camera = *session_get_plane_camera (session);
+  const Projection projection = canvas_get_projection (canvas);
+
+  factor = CLAMP (camera.zoom * factor, ZOOM_LEAST, ZOOM_MOST) / camera.zoom;
+  plane_camera_zoom (&camera, factor, at_px,
+                     (const double[]){ projection.width, projection.height });
+  session_set_plane_camera (session, &camera);
+}
+
+static void
+plane_view_pan (Canvas *canvas, const double by_px[2])
+{
+  Session *session = canvas_get_session (canvas);
+  PlaneCamera camera = *session_get_plane_camera (session);
+  const Projection projection = canvas_get_projection (canvas);
+
+  plane_camera_pan (&camera, by_px,
+                    (const double[]){ projection.width, projection.height });
+  session_set_plane_camera (session, &camera);
+}
+
+/* Pointer */
+
+static Point3
+point_at (Canvas *canvas, const double at_px[2])
+{
+  const Projection projection = canvas_get_projection (canvas);
+
+  return projection_unapply (&projection, at_px[0], at_px[1]);
+}
+
+/* A cell means its site too; only the mark itself can be grabbed. */
+static gboolean
+is_on_site (Canvas *canvas, const CanvasPress *press, double grip_px[2])
+{
+  Session *session = canvas_get_session (canvas);
+  const Projection projection = canvas_get_projection (canvas);
+  Point3 point;
+
+  if (press->object.kind != OBJECT_SITE)
+    return FALSE;
+  point = projection_apply (
+      &projection,
+      scene_point (session_get_look (session),
+                   &session_get_set (session)->sites[press->object.number],
+                   false));
+  grip_px[0] = point.x - press->at_px[0];
+  grip_px[1] = point.y - press->at_px[1];
+  return hypot (grip_px[0], grip_px[1]) <= SITE_REACH_PX;
+}
+
+/* A second click on what is selected lets it go. */
+static void
+select_or_release (Canvas *canvas, Object object)
+{
+  Session *session = canvas_get_session (canvas);
+
+  if (object_equal (session_get_look (session)->selection, object))
+    object = (Object){ OBJECT_NONE, 0 };
+  session_set_selection (session, object);
+}
+
+static void
+plane_view_click (Canvas *canvas, const CanvasPress *press)
+{
+  const gboolean adds = press->button == GDK_BUTTON_SECONDARY
+                        || (press->modifiers & GDK_CONTROL_MASK) != 0;
+  double grip_px[2];
+
+  if (press->button == GDK_BUTTON_MIDDLE)
+    return;
+  if (is_on_site (canvas, press, grip_px)) {
+    canvas_set_cursor (canvas, press->object);
+    select_or_release (canvas, press->object);
+  } else if (adds || press->object.kind == OBJECT_NONE
+             || press->object.kind == OBJECT_SITE) {
+    site_edit_add (canvas, point_at (canvas, press->at_px));
+  } else {
+    canvas_set_cursor (canvas, (Object){ OBJECT_NONE, 0 });
+    select_or_release (canvas, press->object);
+  }
+}
+
+/* Inside triangles, where a click selects, two add a site. */
+static void
+plane_view_double_click (Canvas *canvas, const CanvasPress *press)
+{
+  double grip_px[2];
+
+  if (press->button == GDK_BUTTON_PRIMARY
+      && !is_on_site (canvas, press, grip_px))
+    site_edit_add (canvas, point_at (canvas, press->at_px));
+}
+
+static gboolean
+plane_view_drag_begin (Canvas *canvas, const CanvasPress *press)
+{
+  PlaneView *view = HULL2VD_PLANE_VIEW (canvas);
+  Session *session = canvas_get_session (canvas);
+
+  if (press->button != GDK_BUTTON_PRIMARY
+      || !is_on_site (canvas, press, view->grip_px))
+    return FALSE;
+  view->dragged = press->object.number;
+  canvas_set_cursor (canvas, press->object);
+  session_set_hover (session, (Object){ OBJECT_NONE, 0 });
+  session_set_selection (session, press->object);
+  session_begin_edit (session);
+  return TRUE;
+}
+
+static void
+plane_view_drag (Canvas *canvas, const double from_px[2], const double to_px[2])
+{
+  PlaneView *view = HULL2VD_PLANE_VIEW (canvas);
+  const double at_px[2]
+      = { to_px[0] + view->grip_px[0], to_px[1] + view->grip_px[1] };
+
+  (void)from_px;
+  site_edit_move (canvas, view->dragged, point_at (canvas, at_px));
+}
+
+static void
+plane_view_drag_end (Canvas *canvas)
+{
+  session_end_edit (canvas_get_session (canvas));
+}
+
+/* Keyboard */
+
+static gboolean
+plane_view_key (Canvas *canvas, const GdkEventKey *event)
+{
+  const PlaneCamera *camera
+      = session_get_plane_camera (canvas_get_session (canvas));
+  const Point3 middle = { camera->centre_x, camera->centre_y, 0 };
+  const gboolean is_far = (event->state & GDK_SHIFT_MASK) != 0;
+  double by[2];
+
+  if (canvas_arrow (event->keyval, by))
+    return site_edit_nudge (canvas, by, is_far);
+
+  switch (event->keyval) {
+  case GDK_KEY_Return:
+  case GDK_KEY_KP_Enter:
+    if (canvas_get_cursor (canvas).kind != OBJECT_NONE)
+      return FALSE;
+    site_edit_add (canvas, middle);
+    return TRUE;
+  case GDK_KEY_Insert:
+    site_edit_add (canvas, middle);
+    return TRUE;
+  case GDK_KEY_Delete:
+  case GDK_KEY_BackSpace:
+    return site_edit_remove (canvas);
+  default:
+    return FALSE;
+  }
+}
+
+/* Objects: the sites, then the triangles */
+
+static guint
+plane_view_count_objects (Canvas *canvas)
+{
+  const Frame *frame = session_get_frame (canvas_get_session (canvas));
+
+  return frame->n_sites + frame->delaunay.n_triangles;
+}
+
+static Object
+plane_view_get_object (Canvas *canvas, guint index)
+{
+  const Frame *frame = session_get_frame (canvas_get_session (canvas));
+
+  if (index < frame->n_sites)
+    return (Object){ OBJECT_SITE, frame->sites[index].site };
+  return (Object){ OBJECT_FACET,
+                   frame->delaunay.triangles[index - frame->n_sites].facet };
+}
+
+/* Life */
+
+static void
+plane_view_class_init (PlaneViewClass *class)
+{
+  CanvasClass *canvas_class = HULL2VD_CANVAS_CLASS (class);
+
+  canvas_class->title = N_ ("Plane");
+  canvas_class->is_space = FALSE;
+  canvas_class->build_scene = plane_view_build_scene;
+  canvas_class->project = plane_view_project;
+  canvas_class->zoom = plane_view_zoom;
+  canvas_class->pan = plane_view_pan;
+  canvas_class->click = plane_view_click;
+  canvas_class->double_click = plane_view_double_click;
+  canvas_class->drag_begin = plane_view_drag_begin;
+  canvas_class->drag = plane_view_drag;
+  canvas_class->drag_end = plane_view_drag_end;
+  canvas_class->key = plane_view_key;
+  canvas_class->count_objects = plane_view_count_objects;
+  canvas_class->get_object = plane_view_get_object;
+  gtk_widget_class_set_css_name (GTK_WIDGET_CLASS (class), "planeview");
+}
+
+static void
+plane_view_init (PlaneView *view)
+{
+  (void)view;
+}

@@ -1,0 +1,198 @@
+#include "scrubber.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+/* Room between ticks, and between the starts of two labels. */
+#define TICK_PX 6.0
+#define LABEL_PX 34.0
+#define WIDE_LABEL_PX 64.0
+
+struct _Scrubber {
+  GtkScale parent_instance;
+  Session *session;
+  guint marks_source; /* marks wait to be made for another width */
+  int width;          /* the width they were made for */
+};
+
+G_DEFINE_TYPE (Scrubber, scrubber, GTK_TYPE_SCALE)
+
+/* Marks */
+
+typedef struct MarkWalk {
+  GtkScale *scale;
+  double px_per_step;
+  double tick_px;  /* of the last tick */
+  double label_px; /* where the last label ends */
+} MarkWalk;
+
+/* A tick, with its label where there is room for it. */
+static void
+add_tick (MarkWalk *walk, guint step, const char *text, double room_px)
+{
+  const double px = step * walk->px_per_step;
+  const gboolean has_label = px - room_px / 2 >= walk->label_px;
+
+  if (px - walk->tick_px < TICK_PX && !has_label)
+    return;
+  gtk_scale_add_mark (walk->scale, step, GTK_POS_BOTTOM,
+                      has_label ? text : NULL);
+  walk->tick_px = px;
+  if (has_label)
+    walk->label_px = px + room_px / 2;
+}
+
+/* A round is named where it begins. */
+static void
+add_rounds (MarkWalk *walk, const Trace *trace)
+{
+  const double end_px = trace->n_events * walk->px_per_step;
+
+  for (guint i = 0; i < trace->n_rounds; i++) {
+    const guint step = i == 0 ? trace->start_end : trace->rounds[i - 1].end;
+    g_autofree char *text
+        = i == 0 ? g_strdup (_ ("round 1")) : g_strdup_printf ("%u", i + 1);
+
+    if (step * walk->px_per_step > end_px - WIDE_LABEL_PX / 2)
+      break;
+    add_tick (walk, step, text, i == 0 ? WIDE_LABEL_PX : LABEL_PX);
+  }
+}
+
+static void
+add_stops (Scrubber *scrubber)
+{
+  const guint n_stops = session_get_n_stops (scrubber->session);
+  guint step;
+
+  for (guint i = 0; i < n_stops; i++)
+    if (session_get_stop_step (scrubber->session, i, &step))
+      gtk_scale_add_mark (GTK_SCALE (scrubber), step, GTK_POS_TOP, NULL);
+}
+
+static void
+make_marks (Scrubber *scrubber)
+{
+  const Trace *trace = session_get_trace (scrubber->session);
+  const guint n = MAX (trace->n_events, 1);
+  MarkWalk walk = { GTK_SCALE (scrubber), scrubber->width / (double)n, -TICK_PX,
+                    -WIDE_LABEL_PX };
+
+  gtk_scale_clear_marks (GTK_SCALE (scrubber));
+  add_tick (&walk, 0,
+            trace->is_flat || trace->n_rounds == 0 ? _ ("start")
+                                                   : _ ("simplex"),
+            WIDE_LABEL_PX);
+  add_rounds (&walk, trace);
+  gtk_scale_add_mark (GTK_SCALE (scrubber), n, GTK_POS_BOTTOM, _ ("hull"));
+  add_stops (scrubber);
+}
+
+static gboolean
+on_marks_due (gpointer user)
+{
+  Scrubber *scrubber = user;
+
+  scrubber->marks_source = 0;
+  make_marks (scrubber);
+  return G_SOURCE_REMOVE;
+}
+
+/* Not while sizes are being given: marks ask for a new size. */
+static void
+scrubber_size_allocate (GtkWidget *widget, GtkAllocation *allocation)
+{
+  Scrubber *scrubber = HULL2VD_SCRUBBER (widget);
+
+  GTK_WIDGET_CLASS (scrubber_parent_class)->size_allocate (widget, allocation);
+  if (allocation->width == scrubber->width || scrubber->session == NULL)
+    return;
+  scrubber->width = allocation->width;
+  if (scrubber->marks_source == 0)
+    scrubber->marks_source = g_idle_add (on_marks_due, scrubber);
+}
+
+/* Value */
+
+static void
+on_value_changed (GtkRange *range, gpointer user)
+{
+  Scrubber *scrubber = HULL2VD_SCRUBBER (range);
+
+  (void)user;
+  if (scrubber->session != NULL)
+    session_set_step (scrubber->session,
+                      (guint)lround (gtk_range_get_value (range)));
+}
+
+static void
+update (Scrubber *scrubber)
+{
+  const guint n_events = session_get_trace (scrubber->session)->n_events;
+  const guint step = session_get_step (scrubber->session);
+  GtkAdjustment *adjustment = gtk_range_get_adjustment (GTK_RANGE (scrubber));
+
+  /* A shorter trace would clamp the value and so set a step. */
+  g_signal_handlers_block_by_func (scrubber, on_value_changed, NULL);
+  gtk_adjustment_configure (adjustment, step, 0, MAX (n_events, 1), 1,
+                            MAX (n_events / 10, 1), 0);
+  g_signal_handlers_unblock_by_func (scrubber, on_value_changed, NULL);
+}
+
+static void
+on_changed (Session *session, guint changes, Scrubber *scrubber)
+{
+  (void)session;
+  if (changes & (CHANGED_SITES | CHANGED_STEP))
+    update (scrubber);
+  if (changes & (CHANGED_SITES | CHANGED_LESSON))
+    make_marks (scrubber);
+}
+
+void
+scrubber_set_session (Scrubber *scrubber, Session *session)
+{
+  g_assert (scrubber->session == NULL);
+  scrubber->session = g_object_ref (session);
+  g_signal_connect_object (session, "changed", G_CALLBACK (on_changed),
+                           scrubber, 0);
+  update (scrubber);
+  make_marks (scrubber);
+}
+
+/* Life */
+
+static void
+scrubber_dispose (GObject *object)
+{
+  Scrubber *scrubber = HULL2VD_SCRUBBER (object);
+
+  if (scrubber->marks_source != 0)
+    g_source_remove (scrubber->marks_source);
+  scrubber->marks_source = 0;
+  g_clear_object (&scrubber->session);
+  G_OBJECT_CLASS (scrubber_parent_class)->dispose (object);
+}
+
+static void
+scrubber_class_init (ScrubberClass *class)
+{
+  G_OBJECT_CLASS (class)->dispose = scrubber_dispose;
+  GTK_WIDGET_CLASS (class)->size_allocate = scrubber_size_allocate;
+}
+
+static void
+scrubber_init (Scrubber *scrubber)
+{
+  GtkWidget *widget = GTK_WIDGET (scrubber);
+
+  gtk_style_context_add_class (gtk_widget_get_style_context (widget),
+                               "scrubber");
+  gtk_scale_set_draw_value (GTK_SCALE (scrubber), FALSE);
+  gtk_scale_set_has_origin (GTK_SCALE (scrubber), TRUE);
+  gtk_range_set_round_digits (GTK_RANGE (scrubber), 0);
+  gtk_widget_set_tooltip_text (widget, _ ("Go to any step"));
+  atk_object_set_name (gtk_widget_get_accessible (widget), _ ("Step"));
+  g_signal_connect (scrubber, "value-changed", G_CALLBACK (on_value_changed),
+                    NULL);
+}

@@ -1,0 +1,105 @@
+#include "site-edit.h"
+
+#include <math.h>
+
+/* In scene units: the sites fill -1 … 1. */
+#define NUDGE 0.01
+#define NUDGE_FAR 0.1
+
+Site
+site_edit_at (Session *session, Point3 point)
+{
+  return session_snap (session, scene_site (session_get_look (session), point));
+}
+
+void
+site_edit_add (Canvas *canvas, Point3 point)
+{
+  Session *session = canvas_get_session (canvas);
+  g_autoptr (GError) error = NULL;
+
+  if (!session_add_site (session, site_edit_at (session, point), &error)) {
+    canvas_fail (canvas, error);
+    return;
+  }
+  /* Its number is the last one. */
+  canvas_set_cursor (
+      canvas, (Object){ OBJECT_SITE, session_get_set (session)->n_sites - 1 });
+}
+
+void
+site_edit_move (Canvas *canvas, guint site, Point3 point)
+{
+  Session *session = canvas_get_session (canvas);
+  g_autoptr (GError) error = NULL;
+
+  if (!session_move_site (session, site, site_edit_at (session, point), &error))
+    canvas_fail (canvas, error);
+}
+
+static gboolean
+is_nudging (Canvas *canvas)
+{
+  return g_object_get_data (G_OBJECT (canvas), "nudging") != NULL;
+}
+
+static void
+set_nudging (Canvas *canvas, gboolean nudging)
+{
+  g_object_set_data (G_OBJECT (canvas), "nudging",
+                     GINT_TO_POINTER (nudging ? 1 : 0));
+}
+
+/* A shorter way would lead back to the same grid point. */
+static double
+grid_in_scene (Session *session)
+{
+  const double radius = session_get_look (session)->extent.radius;
+  const int exponent = session_get_set (session)->exponent;
+
+  return session_get_grid (session) / ldexp (radius, exponent);
+}
+
+gboolean
+site_edit_nudge (Canvas *canvas, const double by[2], gboolean is_far)
+{
+  Session *session = canvas_get_session (canvas);
+  const SiteSet *set = session_get_set (session);
+  const Object cursor = canvas_get_cursor (canvas);
+  Point3 point;
+  double length;
+
+  if (cursor.kind != OBJECT_SITE || cursor.number >= set->n_sites)
+    return FALSE;
+  if (!is_nudging (canvas))
+    session_begin_edit (session);
+  set_nudging (canvas, TRUE);
+  point = scene_point (session_get_look (session), &set->sites[cursor.number],
+                       false);
+  length = MAX (is_far ? NUDGE_FAR : NUDGE, grid_in_scene (session));
+  point.x += length * by[0];
+  point.y -= length * by[1];
+  site_edit_move (canvas, cursor.number, point);
+  return TRUE;
+}
+
+void
+site_edit_settle (Canvas *canvas)
+{
+  if (is_nudging (canvas))
+    session_end_edit (canvas_get_session (canvas));
+  set_nudging (canvas, FALSE);
+}
+
+gboolean
+site_edit_remove (Canvas *canvas)
+{
+  const Object cursor = canvas_get_cursor (canvas);
+  g_autoptr (GError) error = NULL;
+
+  if (cursor.kind != OBJECT_SITE)
+    return FALSE;
+  if (!session_remove_site (canvas_get_session (canvas), cursor.number, &error))
+    canvas_fail (canvas, error);
+  return TRUE;
+}

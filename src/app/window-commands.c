@@ -1,0 +1,177 @@
+#include "window-private.h"
+
+#include "document.h"
+#include "shortcuts-window.h"
+
+#include <glib/gi18n.h>
+
+/* Panels as switches. */
+
+static const struct {
+  const char *name;
+  WindowPanel panel;
+} panels[] = {
+  { "panel-lesson", PANEL_LESSON },
+  { "panel-code", PANEL_CODE },
+  { "panel-counters", PANEL_COUNTERS },
+  { "panel-legend", PANEL_LEGEND },
+};
+
+static gboolean
+toggle_panel (Hull2vdWindow *window, const char *name)
+{
+  GtkWidget *bar = GTK_WIDGET (window->narration_bar);
+
+  for (guint i = 0; i < G_N_ELEMENTS (panels); i++)
+    if (g_str_equal (name, panels[i].name)) {
+      window_layout_show (window, panels[i].panel,
+                          !window_layout_shows (window, panels[i].panel));
+      return TRUE;
+    }
+  if (!g_str_equal (name, "panel-narration"))
+    return FALSE;
+  gtk_widget_set_visible (bar, !gtk_widget_get_visible (bar));
+  return TRUE;
+}
+
+static gboolean
+is_fullscreen (Hull2vdWindow *window)
+{
+  GdkWindow *gdk_window = gtk_widget_get_window (GTK_WIDGET (window));
+
+  return gdk_window != NULL
+         && (gdk_window_get_state (gdk_window) & GDK_WINDOW_STATE_FULLSCREEN)
+                != 0;
+}
+
+GVariant *
+window_command_state (Hull2vdWindow *window, const char *name)
+{
+  for (guint i = 0; i < G_N_ELEMENTS (panels); i++)
+    if (g_str_equal (name, panels[i].name))
+      return g_variant_new_boolean (
+          window_layout_shows (window, panels[i].panel));
+  if (g_str_equal (name, "panel-narration"))
+    return g_variant_new_boolean (
+        gtk_widget_get_visible (GTK_WIDGET (window->narration_bar)));
+  if (g_str_equal (name, "fullscreen"))
+    return g_variant_new_boolean (is_fullscreen (window));
+  return NULL;
+}
+
+/* Commands */
+
+static void
+run_open_file (Hull2vdWindow *window, GVariant *parameter)
+{
+  window_files_load (window, g_variant_get_string (parameter, NULL));
+}
+
+static void
+run_copy (Hull2vdWindow *window)
+{
+  g_autofree char *text = document_copy (window->session);
+
+  gtk_clipboard_set_text (
+      gtk_widget_get_clipboard (GTK_WIDGET (window), GDK_SELECTION_CLIPBOARD),
+      text, -1);
+}
+
+static void
+on_clipboard_text (GtkClipboard *clipboard, const char *text, gpointer user)
+{
+  g_autoptr (Hull2vdWindow) window = user;
+  g_autoptr (GError) error = NULL;
+
+  (void)clipboard;
+  if (window->session == NULL)
+    return;
+  if (text == NULL)
+    hull2vd_window_say (window, _ ("The clipboard holds no text"));
+  else if (!document_paste (window->session, text, &error))
+    hull2vd_window_say (window, error->message);
+}
+
+static void
+run_paste (Hull2vdWindow *window)
+{
+  gtk_clipboard_request_text (
+      gtk_widget_get_clipboard (GTK_WIDGET (window), GDK_SELECTION_CLIPBOARD),
+      on_clipboard_text, g_object_ref (window));
+}
+
+static void
+run_about (Hull2vdWindow *window)
+{
+  gtk_show_about_dialog (
+      GTK_WINDOW (window), "program-name", "Hull2VD", "logo-icon-name",
+      "io.github.hull2vd.Hull2VD", "version", HULL2VD_VERSION, "comments",
+      _ ("Convex hulls, Delaunay triangulations and Voronoi diagrams, step by "
+         "step.\nAfter Hull2VD by John Fisher, 2004."),
+      "license-type", GTK_LICENSE_GPL_3_0, NULL);
+}
+
+static void
+run_fullscreen (Hull2vdWindow *window)
+{
+  if (is_fullscreen (window))
+    gtk_window_unfullscreen (GTK_WINDOW (window));
+  else
+    gtk_window_fullscreen (GTK_WINDOW (window));
+}
+
+static void
+run_close (Hull2vdWindow *window)
+{
+  gtk_window_close (GTK_WINDOW (window));
+}
+
+static void
+run_quit (Hull2vdWindow *window)
+{
+  g_action_group_activate_action (
+      G_ACTION_GROUP (gtk_window_get_application (GTK_WINDOW (window))), "quit",
+      NULL);
+}
+
+static void
+run_shortcuts (Hull2vdWindow *window)
+{
+  shortcuts_window_show (GTK_WINDOW (window));
+}
+
+static const struct {
+  const char *name;
+  void (*run) (Hull2vdWindow *window);
+} commands[] = {
+  { "new", window_files_new },
+  { "open", window_files_open },
+  { "save", window_files_save },
+  { "save-as", window_files_save_as },
+  { "copy", run_copy },
+  { "paste", run_paste },
+  { "export-picture", window_files_export },
+  { "storyboard", window_files_storyboard },
+  { "shortcuts", run_shortcuts },
+  { "about", run_about },
+  { "close", run_close },
+  { "quit", run_quit },
+  { "fullscreen", run_fullscreen },
+};
+
+gboolean
+window_command_run (Hull2vdWindow *window,
+                    const char *name,
+                    GVariant *parameter)
+{
+  if (g_str_equal (name, "open-file")) {
+    run_open_file (window, parameter);
+    return TRUE;
+  }
+  for (guint i = 0; i < G_N_ELEMENTS (commands); i++)
+    if (g_str_equal (name, commands[i].name)) {
+      commands[i].run (window);
+      return TRUE;
+    }
+  return toggle_panel (window, name);
+}

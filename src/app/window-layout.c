@@ -1,0 +1,189 @@
+#include "window-private.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+static const char *const setting_names[N_PANELS]
+    = { "show-lesson", "show-code", "show-counters", "show-legend" };
+
+static const struct {
+  const char *name, *title;
+} tab_names[N_PANELS] = {
+  [PANEL_CODE] = { "code", N_ ("Code") },
+  [PANEL_COUNTERS] = { "counters", N_ ("Now") },
+  [PANEL_LEGEND] = { "legend", N_ ("Legend") },
+};
+
+static GtkWidget *
+get_panel (Hull2vdWindow *window, WindowPanel panel)
+{
+  switch (panel) {
+  case PANEL_LESSON:
+    return GTK_WIDGET (window->lesson_panel);
+  case PANEL_CODE:
+    return GTK_WIDGET (window->code_panel);
+  case PANEL_COUNTERS:
+    return GTK_WIDGET (window->counters_panel);
+  case PANEL_LEGEND:
+    return GTK_WIDGET (window->legend_panel);
+  }
+  return NULL;
+}
+
+gboolean
+window_layout_shows (Hull2vdWindow *window, WindowPanel panel)
+{
+  return window->shows_panel[panel];
+}
+
+/* Columns without a panel are not there. */
+static void
+update_columns (Hull2vdWindow *window)
+{
+  const gboolean is_folded = columns_is_folded (window->columns);
+  const gboolean *shows = window->shows_panel;
+  const gboolean has_right
+      = shows[PANEL_CODE] || shows[PANEL_COUNTERS] || shows[PANEL_LEGEND];
+
+  for (WindowPanel panel = 0; panel < N_PANELS; panel++)
+    gtk_widget_set_visible (get_panel (window, panel), shows[panel]);
+  gtk_widget_set_visible (window->tabs, is_folded && has_right);
+  gtk_widget_set_visible (window->right_column, !is_folded && has_right);
+  gtk_widget_set_visible (window->left_column,
+                          shows[PANEL_LESSON] || (is_folded && has_right));
+}
+
+void
+window_layout_show (Hull2vdWindow *window, WindowPanel panel, gboolean on)
+{
+  window->shows_panel[panel] = on;
+  if (window->settings != NULL)
+    g_settings_set_boolean (window->settings, setting_names[panel], on);
+  update_columns (window);
+}
+
+/* Puts a panel of the right column into tabs, or back. */
+static void
+move_panel (Hull2vdWindow *window, WindowPanel panel, gboolean to_tabs)
+{
+  GtkWidget *widget = g_object_ref (get_panel (window, panel));
+  GtkWidget *parent = gtk_widget_get_parent (widget);
+
+  gtk_container_remove (GTK_CONTAINER (parent), widget);
+  if (to_tabs)
+    gtk_stack_add_titled (window->stack, widget, tab_names[panel].name,
+                          _ (tab_names[panel].title));
+  else
+    gtk_container_add (GTK_CONTAINER (window->right_box), widget);
+  g_object_unref (widget);
+}
+
+static void
+on_fold (Columns *columns, gboolean is_folded, Hull2vdWindow *window)
+{
+  (void)columns;
+  for (WindowPanel panel = PANEL_CODE; panel < N_PANELS; panel++)
+    move_panel (window, panel, is_folded);
+  legend_panel_set_columns (window->legend_panel, is_folded ? 1 : 2);
+  update_columns (window);
+}
+
+/* The divider can be put in its place once there is a width to share. */
+static void
+on_views_allocated (GtkWidget *paned,
+                    GtkAllocation *allocation,
+                    Hull2vdWindow *window)
+{
+  const double share
+      = window->settings != NULL
+            ? g_settings_get_double (window->settings, "plane-share")
+            : 0.5;
+
+  if (window->is_placed || allocation->width < 2)
+    return;
+  window->is_placed = TRUE;
+  gtk_paned_set_position (GTK_PANED (paned),
+                          (int)lround (share * allocation->width));
+}
+
+/* With a frame and a title bar round it, the window fits on the screen. */
+#define FRAME_WIDTH 10
+#define FRAME_HEIGHT 57
+
+static void
+set_size (Hull2vdWindow *window)
+{
+  GdkDisplay *display = gtk_widget_get_display (GTK_WIDGET (window));
+  GdkMonitor *monitor = gdk_display_get_primary_monitor (display);
+  GdkRectangle room = { 0, 0, G_MAXINT, G_MAXINT };
+  int width = 1430;
+  int height = 843;
+
+  if (monitor == NULL)
+    monitor = gdk_display_get_monitor (display, 0);
+  if (monitor != NULL)
+    gdk_monitor_get_workarea (monitor, &room);
+  if (window->settings != NULL)
+    g_settings_get (window->settings, "window-size", "(ii)", &width, &height);
+  gtk_window_set_default_size (GTK_WINDOW (window),
+                               MIN (width, room.width - FRAME_WIDTH),
+                               MIN (height, room.height - FRAME_HEIGHT));
+}
+
+static void
+restore (Hull2vdWindow *window)
+{
+
+  for (WindowPanel panel = 0; panel < N_PANELS; panel++)
+    window->shows_panel[panel] = TRUE;
+  set_size (window);
+  if (window->settings == NULL)
+    return;
+  if (g_settings_get_boolean (window->settings, "maximized"))
+    gtk_window_maximize (GTK_WINDOW (window));
+  gtk_paned_set_position (
+      window->lesson_paned,
+      g_settings_get_int (window->settings, "lesson-width"));
+  session_set_step_size (window->session, (StepSize)g_settings_get_enum (
+                                              window->settings, "step-size"));
+  for (WindowPanel panel = 0; panel < N_PANELS; panel++)
+    window->shows_panel[panel]
+        = g_settings_get_boolean (window->settings, setting_names[panel]);
+}
+
+void
+window_layout_save (Hull2vdWindow *window)
+{
+  GtkWindow *gtk_window = GTK_WINDOW (window);
+  const int views
+      = gtk_widget_get_allocated_width (GTK_WIDGET (window->view_paned));
+  int width, height;
+
+  if (window->settings == NULL || views < 2)
+    return;
+  if (!gtk_window_is_maximized (gtk_window)) {
+    gtk_window_get_size (gtk_window, &width, &height);
+    g_settings_set (window->settings, "window-size", "(ii)", width, height);
+  }
+  g_settings_set_boolean (window->settings, "maximized",
+                          gtk_window_is_maximized (gtk_window));
+  g_settings_set_int (window->settings, "lesson-width",
+                      MAX (250, gtk_paned_get_position (window->lesson_paned)));
+  g_settings_set_double (
+      window->settings, "plane-share",
+      CLAMP (gtk_paned_get_position (window->view_paned) / (double)views, 0.05,
+             0.95));
+  g_settings_set_enum (window->settings, "step-size",
+                       (int)session_get_step_size (window->session));
+}
+
+void
+window_layout_init (Hull2vdWindow *window)
+{
+  columns_set_folding (window->columns, window->right_column);
+  restore (window);
+  update_columns (window);
+  g_signal_connect (window->columns, "fold", G_CALLBACK (on_fold), window);
+  g_signal_connect (window->view_paned, "size-allocate",
+                    G_CALLBACK (on_views_allocated), window);
+}

@@ -1,0 +1,127 @@
+#include "window-private.h"
+
+#include "action.h"
+#include "lesson-list.h"
+
+#include <glib/gi18n.h>
+
+/* Menu items; the empty name ends a section, NULL the menu. */
+typedef struct MenuRow {
+  const char *text;
+  const char *action;
+} MenuRow;
+
+static const MenuRow main_rows[] = {
+  { N_ ("_New Sites"), "new" },
+  { N_ ("_Open…"), "open" },
+  { N_ ("_Save Sites"), "save" },
+  { N_ ("Save Sites _As…"), "save-as" },
+  { NULL, "" },
+  { N_ ("_Copy Sites"), "copy" },
+  { N_ ("_Paste Sites"), "paste" },
+  { NULL, "" },
+  { N_ ("_Export Picture…"), "export-picture" },
+  { N_ ("Export Story_board…"), "storyboard" },
+  { NULL, "" },
+  { N_ ("_Keyboard Shortcuts"), "shortcuts" },
+  { N_ ("_About Hull2VD"), "about" },
+  { NULL, NULL },
+};
+
+static const MenuRow view_rows[] = {
+  { N_ ("_Hull"), "layer-hull" },
+  { N_ ("_Paraboloid"), "layer-paraboloid" },
+  { N_ ("_Delaunay Triangulation"), "layer-delaunay" },
+  { N_ ("_Voronoi Diagram"), "layer-voronoi" },
+  { N_ ("All _Circumcircles"), "layer-circumcircles" },
+  { N_ ("L_ift Vectors"), "layer-lifts" },
+  { N_ ("_Names"), "layer-labels" },
+  { NULL, "" },
+  { N_ ("_Lesson"), "panel-lesson" },
+  { N_ ("Pseudo-c_ode"), "panel-code" },
+  { N_ ("Coun_ters"), "panel-counters" },
+  { N_ ("Le_gend"), "panel-legend" },
+  { N_ ("N_arration"), "panel-narration" },
+  { NULL, "" },
+  { N_ ("_Fit Both Pictures"), "fit" },
+  { N_ ("Full _Screen"), "fullscreen" },
+  { NULL, NULL },
+};
+
+static GMenuModel *
+make_menu (const MenuRow *rows)
+{
+  GMenu *menu = g_menu_new ();
+  g_autoptr (GMenu) section = g_menu_new ();
+
+  for (; rows->action != NULL; rows++) {
+    g_autofree char *action = g_strconcat ("win.", rows->action, NULL);
+
+    if (rows->text != NULL) {
+      g_menu_append (section, _ (rows->text), action);
+      continue;
+    }
+    g_menu_append_section (menu, NULL, G_MENU_MODEL (section));
+    g_object_unref (section);
+    section = g_menu_new ();
+  }
+  g_menu_append_section (menu, NULL, G_MENU_MODEL (section));
+  return G_MENU_MODEL (menu);
+}
+
+/* Lessons are read when the menu is wanted for the first time. */
+static void
+on_lessons_wanted (GtkToggleButton *button, GMenu *menu)
+{
+  g_autoptr (GPtrArray) lessons = NULL;
+
+  if (!gtk_toggle_button_get_active (button)
+      || g_menu_model_get_n_items (G_MENU_MODEL (menu)) > 0)
+    return;
+  lessons = lesson_list_new ();
+  for (guint i = 0; i < lessons->len; i++) {
+    const LessonEntry *entry = g_ptr_array_index (lessons, i);
+    g_autofree char *text = g_strdup_printf (
+        "%u   %s", lesson_list_number (entry->path), entry->title);
+    g_autoptr (GMenuItem) item = g_menu_item_new (text, NULL);
+
+    g_menu_item_set_action_and_target (item, "win.open-file", "s", entry->path);
+    g_menu_append_item (menu, item);
+  }
+}
+
+static void
+add_preset (Hull2vdWindow *window, const char *name)
+{
+  GtkWidget *button = gtk_button_new ();
+  g_autofree char *action = g_strconcat ("win.camera-", name, NULL);
+  g_autofree char *icon = g_strconcat ("hull2vd-", name, "-symbolic", NULL);
+
+  gtk_container_add (GTK_CONTAINER (button),
+                     gtk_image_new_from_icon_name (icon, GTK_ICON_SIZE_BUTTON));
+  gtk_actionable_set_action_name (GTK_ACTIONABLE (button), action);
+  gtk_widget_set_focus_on_click (button, FALSE);
+  gtk_widget_set_valign (button, GTK_ALIGN_CENTER);
+  gtk_style_context_add_class (gtk_widget_get_style_context (button), "flat");
+  gtk_widget_show_all (button);
+  gtk_container_add (GTK_CONTAINER (window->space_bar), button);
+}
+
+void
+window_menus_init (Hull2vdWindow *window)
+{
+  g_autoptr (GMenuModel) main_menu = make_menu (main_rows);
+  g_autoptr (GMenuModel) view_menu = make_menu (view_rows);
+  g_autoptr (GMenu) lessons = g_menu_new ();
+
+  gtk_menu_button_set_menu_model (window->main_button, main_menu);
+  gtk_menu_button_set_menu_model (window->view_button, view_menu);
+  gtk_menu_button_set_menu_model (window->lessons_button,
+                                  G_MENU_MODEL (lessons));
+  g_signal_connect_data (window->lessons_button, "toggled",
+                         G_CALLBACK (on_lessons_wanted),
+                         g_steal_pointer (&lessons),
+                         (GClosureNotify)(void (*) (void))g_object_unref, 0);
+  for (CameraPreset preset = 0; preset < N_CAMERA_PRESETS; preset++)
+    add_preset (window, camera_preset_name (preset));
+}

@@ -1,0 +1,95 @@
+/* The inside of the window, for the files hull2vd-window.c and window-*.c
+ * alone. */
+#ifndef WINDOW_PRIVATE_H
+#define WINDOW_PRIVATE_H
+
+#include "code-panel.h"
+#include "columns.h"
+#include "counters-panel.h"
+#include "hull2vd-window.h"
+#include "legend-panel.h"
+#include "lesson-panel.h"
+#include "narration-bar.h"
+#include "plane-view.h"
+#include "space-view.h"
+#include "transport.h"
+
+G_BEGIN_DECLS
+
+typedef enum WindowPanel {
+  PANEL_LESSON,
+  PANEL_CODE, /* from here on: in the right column, or in tabs */
+  PANEL_COUNTERS,
+  PANEL_LEGEND,
+} WindowPanel;
+
+#define N_PANELS (PANEL_LEGEND + 1)
+
+struct _Hull2vdWindow {
+  GtkApplicationWindow parent_instance;
+
+  Session *session;
+  GSettings *settings; /* NULL: not installed */
+  char *path;          /* of the points or lesson, or NULL: new sites */
+  char *saved;         /* the points as they are in the file */
+
+  GtkHeaderBar *header_bar;
+  GtkMenuButton *lessons_button, *view_button, *main_button;
+  GtkWidget *undo_button, *redo_button;
+  GtkInfoBar *info_bar;
+  GtkLabel *info_label;
+  Columns *columns;
+  GtkPaned *lesson_paned, *view_paned;
+  GtkWidget *left_column, *right_column, *tabs;
+  GtkBox *right_box;
+  GtkStack *stack;
+  GtkBox *space_bar;
+  PlaneView *plane_view;
+  SpaceView *space_view;
+  GtkLabel *plane_hint, *space_hint;
+  LessonPanel *lesson_panel;
+  CodePanel *code_panel;
+  CountersPanel *counters_panel;
+  LegendPanel *legend_panel;
+  NarrationBar *narration_bar;
+  Transport *transport;
+  gboolean shows_panel[N_PANELS];
+  gboolean is_placed; /* the divider stands where it was left */
+};
+
+/* window-layout.c: columns, panels, and what is remembered of them. */
+void window_layout_init (Hull2vdWindow *window);
+void window_layout_save (Hull2vdWindow *window);
+gboolean window_layout_shows (Hull2vdWindow *window, WindowPanel panel);
+void window_layout_show (Hull2vdWindow *window, WindowPanel panel, gboolean on);
+
+/* window-actions.c: the registry as GActions. */
+void window_actions_init (Hull2vdWindow *window);
+
+/* window-commands.c: the rows of the registry that need a window.
+ *
+ * Returns: FALSE: not one of them. */
+gboolean window_command_run (Hull2vdWindow *window,
+                             const char *name,
+                             GVariant *parameter);
+/* Returns: (transfer floating): its state, or NULL: none. */
+GVariant *window_command_state (Hull2vdWindow *window, const char *name);
+
+/* window-files.c: open, save, export. */
+void window_files_init (Hull2vdWindow *window);
+void window_files_new (Hull2vdWindow *window);
+void window_files_open (Hull2vdWindow *window);
+void window_files_save (Hull2vdWindow *window);
+void window_files_save_as (Hull2vdWindow *window);
+void window_files_export (Hull2vdWindow *window);
+void window_files_storyboard (Hull2vdWindow *window);
+gboolean window_files_load (Hull2vdWindow *window, const char *path);
+/* Whether there is work in the window that is in no file. */
+gboolean window_files_is_modified (Hull2vdWindow *window);
+
+/* window-menus.c */
+void window_menus_init (Hull2vdWindow *window);
+
+G_END_DECLS
+
+#endif
