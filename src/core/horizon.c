@@ -52,7 +52,7 @@ first_on_horizon (const HullBuilder *b)
     for (k = 0; k < 3; k++)
       if (!is_visible (b, b->facets[b->visible[i]].across[k] >> 2))
         return b->visible[i] << 2 | k;
-  assert (!"a site never sees the whole hull");
+  assert (false && "a site never sees the whole hull");
   return 0;
 }
 
