@@ -122,7 +122,7 @@ read_quote (Reader *reader, cmark_node *quote, GError **error)
 static char *
 heading_words (cmark_node *heading)
 {
-  g_autofree GString *words = g_string_new (NULL);
+  GString *words = g_string_new (NULL);
   cmark_iter *iter = cmark_iter_new (heading);
   cmark_event_type event;
 
@@ -138,7 +138,7 @@ heading_words (cmark_node *heading)
       g_string_append_c (words, ' ');
   }
   cmark_iter_free (iter);
-  return g_strdup (words->str);
+  return g_string_free (words, FALSE);
 }
 
 static gboolean

@@ -1,0 +1,177 @@
+#include "cli.h"
+
+#include "document.h"
+#include "lesson.h"
+
+#include <errno.h>
+#include <glib/gi18n.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+void
+cli_say (const char *format, ...)
+{
+  g_autofree char *text = NULL, *line = NULL;
+  va_list arguments;
+
+  va_start (arguments, format);
+  text = g_strdup_vprintf (format, arguments);
+  va_end (arguments);
+  line = g_utf8_make_valid (text, -1);
+  for (char *byte = line; *byte != '\0'; byte++)
+    if (g_ascii_iscntrl (*byte))
+      *byte = ' ';
+  fprintf (stderr, "%s\n", line);
+}
+
+static void
+print_usage (const CliCommand *command)
+{
+  fprintf (stderr, _ ("usage: hull2vd-cli %s [OPTION…] %s\n"), command->name,
+           command->arguments);
+}
+
+CliStatus
+cli_usage (const CliCommand *command, const char *format, ...)
+{
+  g_autofree char *reason = NULL;
+  va_list arguments;
+
+  va_start (arguments, format);
+  reason = g_strdup_vprintf (format, arguments);
+  va_end (arguments);
+  cli_say ("hull2vd-cli: %s", reason);
+  print_usage (command);
+  return CLI_USAGE;
+}
+
+static gboolean
+check_count (const CliCommand *command, CliCount count, guint n)
+{
+  if (n < count.least)
+    cli_usage (command, _ ("%s: a file is missing"), command->name);
+  else if (n > count.most)
+    cli_usage (command, _ ("%s: too many files"), command->name);
+  return n >= count.least && n <= count.most;
+}
+
+gboolean
+cli_parse (const CliCommand *command,
+           const GOptionEntry *options,
+           CliCount count,
+           int argc,
+           char **argv,
+           char ***arguments)
+{
+  g_autoptr (GOptionContext) context = g_option_context_new (NULL);
+  g_auto (GStrv) rest = NULL;
+  g_autoptr (GError) error = NULL;
+  const GOptionEntry remaining[] = { { .long_name = G_OPTION_REMAINING,
+                                       .arg = G_OPTION_ARG_FILENAME_ARRAY,
+                                       .arg_data = &rest,
+                                       .arg_description = command->arguments },
+                                     G_OPTION_ENTRY_NULL };
+  g_autofree char *name = g_strdup_printf ("hull2vd-cli %s", command->name);
+
+  g_set_prgname (name);
+  g_option_context_set_summary (context, _ (command->sentence));
+  if (options != NULL)
+    g_option_context_add_main_entries (context, options, NULL);
+  g_option_context_add_main_entries (context, remaining, NULL);
+  if (!g_option_context_parse (context, &argc, &argv, &error)) {
+    cli_usage (command, "%s", error->message);
+    return FALSE;
+  }
+  if (!check_count (command, count, rest == NULL ? 0 : g_strv_length (rest)))
+    return FALSE;
+  *arguments = rest == NULL ? g_new0 (char *, 1) : g_steal_pointer (&rest);
+  return TRUE;
+}
+
+gboolean
+cli_number (const CliCommand *command,
+            const char *option,
+            const char *value,
+            guint *number)
+{
+  guint64 parsed;
+
+  if (value != NULL && g_ascii_isdigit (value[0])
+      && g_ascii_string_to_unsigned (value, 10, 0, G_MAXUINT32, &parsed,
+                                     NULL)) {
+    *number = (guint)parsed;
+    return TRUE;
+  }
+  cli_usage (command, _ ("%s needs a whole number"), option);
+  return FALSE;
+}
+
+static CliStatus
+status_of (const GError *error)
+{
+  if (error->domain == LESSON_ERROR)
+    return error->code == LESSON_ERROR_CANNOT_OPEN ? CLI_CANNOT_OPEN
+                                                   : CLI_BROKEN;
+  if (error->domain == DOCUMENT_ERROR
+      && error->code == DOCUMENT_ERROR_CANNOT_OPEN)
+    return CLI_CANNOT_OPEN;
+  if (error->domain == DOCUMENT_ERROR
+      && error->code == DOCUMENT_ERROR_CANNOT_WRITE)
+    return CLI_CANNOT_WRITE;
+  return CLI_REFUSED;
+}
+
+CliStatus
+cli_fail (GError *error)
+{
+  const CliStatus status = status_of (error);
+
+  cli_say ("%s", error->message);
+  g_error_free (error);
+  return status;
+}
+
+void
+cli_output_begin (CliOutput *output)
+{
+  output->bytes = NULL;
+  output->file = open_memstream (&output->bytes, &output->length);
+  if (output->file == NULL)
+    g_error ("open_memstream: %s", g_strerror (errno));
+}
+
+void
+cli_output_drop (CliOutput *output)
+{
+  fclose (output->file);
+  free (output->bytes);
+}
+
+static gboolean
+write_stdout (const char *bytes, size_t length)
+{
+  errno = 0;
+  /* Closing tells of what only the disk knows. */
+  if (fwrite (bytes, 1, length, stdout) == length && fflush (stdout) == 0
+      && close (STDOUT_FILENO) == 0)
+    return TRUE;
+  cli_say (_ ("hull2vd-cli: cannot write: %s"), g_strerror (errno));
+  return FALSE;
+}
+
+CliStatus
+cli_output_end (CliOutput *output, const char *path)
+{
+  CliStatus status = CLI_DONE;
+  GError *error = NULL;
+
+  if (fclose (output->file) != 0)
+    g_error ("%s", g_strerror (errno));
+  if (path == NULL || g_str_equal (path, "-"))
+    status = write_stdout (output->bytes, output->length) ? CLI_DONE
+                                                          : CLI_CANNOT_WRITE;
+  else if (!document_write (path, output->bytes, output->length, &error))
+    status = cli_fail (error);
+  free (output->bytes);
+  return status;
+}

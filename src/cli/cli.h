@@ -1,0 +1,84 @@
+/* hull2vd-cli: one file for each command, this table of them, and what they
+ * share: exit statuses, messages, outputs that are whole or absent. */
+#ifndef CLI_H
+#define CLI_H
+
+#include <glib.h>
+#include <stdio.h>
+
+G_BEGIN_DECLS
+
+typedef enum CliStatus {
+  CLI_DONE = 0,
+  CLI_REFUSED = 1, /* input refused, an expectation or --verify failed */
+  CLI_BROKEN = 2,  /* a broken lesson */
+  CLI_USAGE = 64,
+  CLI_CANNOT_OPEN = 66,
+  CLI_CANNOT_WRITE = 73,
+} CliStatus;
+
+typedef struct CliCommand {
+  const char *name;
+  const char *arguments; /* for the usage line: "POINTS" */
+  const char *sentence;  /* marked for translation */
+  /* argv[0] is the name of the command. */
+  CliStatus (*run) (const struct CliCommand *command, int argc, char **argv);
+} CliCommand;
+
+CliStatus cli_compute (const CliCommand *command, int argc, char **argv);
+CliStatus cli_trace (const CliCommand *command, int argc, char **argv);
+CliStatus cli_replay (const CliCommand *command, int argc, char **argv);
+CliStatus cli_export (const CliCommand *command, int argc, char **argv);
+CliStatus cli_storyboard (const CliCommand *command, int argc, char **argv);
+CliStatus cli_actions (const CliCommand *command, int argc, char **argv);
+
+/* Reads the options of a command; what is left is in *@arguments (transfer
+ * full), of which there must be @least … @most.
+ *
+ * Returns: FALSE after the reason and the usage line are on stderr. */
+typedef struct CliCount {
+  guint least, most;
+} CliCount;
+
+gboolean cli_parse (const CliCommand *command,
+                    const GOptionEntry *options,
+                    CliCount count,
+                    int argc,
+                    char **argv,
+                    char ***arguments);
+
+/* Says that an option's value is wrong, with the usage line. */
+CliStatus cli_usage (const CliCommand *command, const char *format, ...)
+    G_GNUC_PRINTF (2, 3);
+
+/* Reads an option's whole number; NULL is no number.
+ *
+ * Returns: FALSE after the reason and the usage line are on stderr. */
+gboolean cli_number (const CliCommand *command,
+                     const char *option,
+                     const char *value,
+                     guint *number);
+
+/* Puts a line on stderr, without control characters. */
+void cli_say (const char *format, ...) G_GNUC_PRINTF (1, 2);
+
+/* Puts the reason on stderr, and returns: the status it stands for. Takes
+ * @error. */
+CliStatus cli_fail (GError *error);
+
+/* An output gathered in memory, to appear whole or not at all. */
+typedef struct CliOutput {
+  FILE *file; /* write here */
+  char *bytes;
+  size_t length;
+} CliOutput;
+
+void cli_output_begin (CliOutput *output);
+void cli_output_drop (CliOutput *output);
+
+/* Puts the output at @path, or on stdout when it is NULL. */
+CliStatus cli_output_end (CliOutput *output, const char *path);
+
+G_END_DECLS
+
+#endif

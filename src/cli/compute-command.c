@@ -1,0 +1,140 @@
+#include "certify.h"
+#include "cli.h"
+#include "document.h"
+#include "result-json.h"
+
+#include <glib/gi18n.h>
+
+typedef struct Options {
+  char *round, *order, *seed, *output;
+  gboolean verify;
+  char **paths;
+  guint round_number, seed_number;
+  OrderKind order_kind;
+} Options;
+
+static void
+options_clear (Options *options)
+{
+  g_free (options->round);
+  g_free (options->order);
+  g_free (options->seed);
+  g_free (options->output);
+  g_strfreev (options->paths);
+}
+
+static gboolean
+options_parse (Options *options,
+               const CliCommand *command,
+               int argc,
+               char **argv)
+{
+  const GOptionEntry entries[]
+      = { { "round", 'r', 0, G_OPTION_ARG_STRING, &options->round,
+            N_ ("stop after R insertions beyond the first simplex"), "R" },
+          { "verify", 0, 0, G_OPTION_ARG_NONE, &options->verify,
+            N_ ("check the result independently before it is written"), NULL },
+          { "order", 0, 0, G_OPTION_ARG_STRING, &options->order,
+            N_ ("which site next: furthest, input or random"), "ORDER" },
+          { "seed", 0, 0, G_OPTION_ARG_STRING, &options->seed,
+            N_ ("seed of the random order"), "S" },
+          { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options->output,
+            N_ ("write to FILE, whole or not at all"), "FILE" },
+          G_OPTION_ENTRY_NULL };
+
+  if (!cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,
+                  &options->paths)
+      || (options->round != NULL
+          && !cli_number (command, "--round", options->round,
+                          &options->round_number))
+      || (options->seed != NULL
+          && !cli_number (command, "--seed", options->seed,
+                          &options->seed_number)))
+    return FALSE;
+  if (options->order != NULL
+      && !order_kind_parse (options->order, &options->order_kind)) {
+    cli_usage (command,
+               _ ("there is no order “%s”: write furthest, input or random"),
+               options->order);
+    return FALSE;
+  }
+  return TRUE;
+}
+
+/* Finds the step to show: the last, or the end of a round. */
+static gboolean
+find_step (const Options *options, const Trace *trace, guint *step)
+{
+  const char *path = options->paths[0];
+
+  *step = trace->n_events;
+  if (options->round == NULL)
+    return TRUE;
+  if (trace->is_flat) {
+    cli_say (_ ("%s: there is no round %u: all lifts lie in one plane, so "
+                "there is no first simplex"),
+             path, options->round_number);
+    return FALSE;
+  }
+  if (options->round_number > trace->n_rounds) {
+    cli_say (_ ("%s: there is no round %u: the last is %u"), path,
+             options->round_number, trace->n_rounds);
+    return FALSE;
+  }
+  *step = options->round_number == 0
+              ? trace->start_end
+              : trace->rounds[options->round_number - 1].end;
+  return TRUE;
+}
+
+static gboolean
+verify (const Options *options, const Frame *frame)
+{
+  char why[CERTIFY_ROOM];
+
+  if (!options->verify || certify_frame (frame, why))
+    return TRUE;
+  cli_say (_ ("%s: the result is wrong: %s"), options->paths[0], why);
+  return FALSE;
+}
+
+static CliStatus
+compute (const Options *options, const SiteSet *set)
+{
+  const Order order = { options->order_kind, options->seed_number };
+  Trace *trace = trace_record (set, &order);
+  CliStatus status = CLI_REFUSED;
+  CliOutput output;
+  Frame frame;
+  guint step;
+
+  if (find_step (options, trace, &step)) {
+    frame_init (&frame, trace, step);
+    if (verify (options, &frame)) {
+      cli_output_begin (&output);
+      result_json_write (&frame, options->round == NULL, output.file);
+      status = cli_output_end (&output, options->output);
+    }
+    frame_clear (&frame);
+  }
+  trace_free (trace);
+  return status;
+}
+
+CliStatus
+cli_compute (const CliCommand *command, int argc, char **argv)
+{
+  Options options = { .order_kind = ORDER_FURTHEST };
+  CliStatus status = CLI_USAGE;
+  GError *error = NULL;
+  SiteSet *set;
+
+  if (options_parse (&options, command, argc, argv)) {
+    set = document_read_points (options.paths[0], &error);
+    status = set == NULL ? cli_fail (error) : compute (&options, set);
+    if (set != NULL)
+      site_set_free (set);
+  }
+  options_clear (&options);
+  return status;
+}

@@ -1,0 +1,229 @@
+#include "cli.h"
+#include "document.h"
+#include "picture.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+#define MAX_SIZE 16384 /* px */
+
+typedef struct Options {
+  char *view, *event, *round, *stop, *size, *output;
+  char **paths;
+  PictureView view_kind;
+  PictureFormat format;
+  guint number; /* of the event, round or stop */
+  guint width, height;
+} Options;
+
+static void
+options_clear (Options *options)
+{
+  g_free (options->view);
+  g_free (options->event);
+  g_free (options->round);
+  g_free (options->stop);
+  g_free (options->size);
+  g_free (options->output);
+  g_strfreev (options->paths);
+}
+
+static gboolean
+parse_view (const CliCommand *command, Options *options)
+{
+  static const char *const names[] = { "plane", "space", "both" };
+
+  options->view_kind = PICTURE_BOTH;
+  for (guint i = 0; options->view != NULL && i < G_N_ELEMENTS (names); i++)
+    if (g_str_equal (options->view, names[i])) {
+      options->view_kind = (PictureView)i;
+      return TRUE;
+    }
+  if (options->view == NULL)
+    return TRUE;
+  cli_usage (command, _ ("there is no view “%s”: write plane, space or both"),
+             options->view);
+  return FALSE;
+}
+
+static gboolean
+parse_size (const CliCommand *command, Options *options)
+{
+  g_auto (GStrv) parts = NULL;
+
+  if (options->size == NULL)
+    return TRUE;
+  parts = g_strsplit (options->size, "x", 3);
+  if (g_strv_length (parts) != 2
+      || !cli_number (command, "--size WxH", parts[0], &options->width)
+      || !cli_number (command, "--size WxH", parts[1], &options->height))
+    return g_strv_length (parts) == 2
+               ? FALSE
+               : (cli_usage (command, _ ("write the size as WIDTHxHEIGHT")),
+                  FALSE);
+  if (options->width >= 1 && options->width <= MAX_SIZE && options->height >= 1
+      && options->height <= MAX_SIZE)
+    return TRUE;
+  cli_usage (command, _ ("a size lies between 1x1 and %dx%d"), MAX_SIZE,
+             MAX_SIZE);
+  return FALSE;
+}
+
+/* One of --event, --round and --stop at most. */
+static gboolean
+parse_moment (const CliCommand *command, Options *options)
+{
+  const char *values[] = { options->event, options->round, options->stop };
+  const char *names[] = { "--event", "--round", "--stop" };
+  guint n_given = 0;
+
+  for (guint i = 0; i < G_N_ELEMENTS (values); i++) {
+    if (values[i] == NULL)
+      continue;
+    n_given += 1;
+    if (!cli_number (command, names[i], values[i], &options->number))
+      return FALSE;
+  }
+  if (n_given > 1)
+    cli_usage (command, _ ("write one of --event, --round and --stop"));
+  return n_given <= 1;
+}
+
+static gboolean
+parse_output (const CliCommand *command, Options *options)
+{
+  if (options->output == NULL)
+    cli_usage (command, _ ("which file to write? -o OUT.svg"));
+  else if (picture_format_of (options->output, &options->format))
+    return TRUE;
+  else
+    cli_usage (command, _ ("%s: a picture's name ends in .svg, .pdf or .png"),
+               options->output);
+  return FALSE;
+}
+
+static gboolean
+options_parse (Options *options,
+               const CliCommand *command,
+               int argc,
+               char **argv)
+{
+#define ENTRY(name, letter, kind, field, sentence, value)                      \
+  {                                                                            \
+    name, letter, 0, G_OPTION_ARG_##kind, &options->field, sentence, value     \
+  }
+  const GOptionEntry entries[]
+      = { ENTRY ("view", 0, STRING, view, N_ ("what to show"),
+                 "plane|space|both"),
+          ENTRY ("event", 0, STRING, event, N_ ("after event E"), "E"),
+          ENTRY ("round", 0, STRING, round,
+                 N_ ("after R insertions beyond the first simplex"), "R"),
+          ENTRY ("stop", 0, STRING, stop,
+                 N_ ("at stop K of the lesson, from 1"), "K"),
+          ENTRY ("size", 0, STRING, size,
+                 N_ ("pixels of PNG, points of the others"), "WxH"),
+          ENTRY ("output", 'o', FILENAME, output,
+                 N_ ("the picture: .svg, .pdf or .png"), "OUT"),
+          G_OPTION_ENTRY_NULL };
+#undef ENTRY
+
+  return cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,
+                    &options->paths)
+         && parse_view (command, options) && parse_size (command, options)
+         && parse_moment (command, options) && parse_output (command, options);
+}
+
+static gboolean
+refuse_moment (const Options *options, const char *name, guint last)
+{
+  cli_say (_ ("%s: there is no %s %u: the last is %u"), options->paths[0], name,
+           options->number, last);
+  return FALSE;
+}
+
+static gboolean
+goto_round (Session *session, const Options *options)
+{
+  const Trace *trace = session_get_trace (session);
+
+  if (trace->is_flat) {
+    cli_say (_ ("%s: there are no rounds: all lifts lie in one plane, so "
+                "there is no first simplex"),
+             options->paths[0]);
+    return FALSE;
+  }
+  if (options->number > trace->n_rounds)
+    return refuse_moment (options, "round", trace->n_rounds);
+  session_set_step (session, options->number == 0
+                                 ? trace->start_end
+                                 : trace->rounds[options->number - 1].end);
+  return TRUE;
+}
+
+static gboolean
+goto_moment (Session *session, const Options *options)
+{
+  const guint last = session_get_n_steps (session);
+
+  if (options->stop != NULL)
+    return (options->number >= 1
+            && session_set_stop (session, options->number - 1))
+           || refuse_moment (options, "stop", session_get_n_stops (session));
+  session_last (session);
+  if (options->round != NULL)
+    return goto_round (session, options);
+  if (options->event == NULL)
+    return TRUE;
+  if (options->number > last)
+    return refuse_moment (options, "event", last);
+  session_set_step (session, options->number);
+  return TRUE;
+}
+
+static CliStatus
+write_picture (Session *session, const Options *options)
+{
+  const Frame *frame = session_get_frame (session);
+  g_autofree char *narration = session_narrate (session);
+  g_autofree char *name = g_path_get_basename (options->paths[0]);
+  const Lesson *lesson = session_get_lesson (session);
+  Picture picture;
+  CliOutput output;
+
+  picture_init (&picture, options->view_kind, frame);
+  picture.look = *session_get_look (session);
+  picture.camera = *session_get_camera (session);
+  picture.plane_camera = *session_get_plane_camera (session);
+  picture.title = lesson == NULL ? name : lesson->title;
+  picture.description = narration;
+  if (options->size != NULL) {
+    picture.width = options->width;
+    picture.height = options->height;
+  }
+  cli_output_begin (&output);
+  if (picture_write (&picture, frame, options->format, output.file))
+    return cli_output_end (&output, options->output);
+  cli_output_drop (&output);
+  cli_say (_ ("%s: cannot write the picture"), options->output);
+  return CLI_CANNOT_WRITE;
+}
+
+CliStatus
+cli_export (const CliCommand *command, int argc, char **argv)
+{
+  g_autoptr (Session) session = session_new ();
+  Options options = { .view = NULL };
+  CliStatus status = CLI_USAGE;
+  GError *error = NULL;
+
+  if (options_parse (&options, command, argc, argv)) {
+    if (!document_open (session, options.paths[0], &error))
+      status = cli_fail (error);
+    else if (goto_moment (session, &options))
+      status = write_picture (session, &options);
+    else
+      status = CLI_REFUSED;
+  }
+  options_clear (&options);
+  return status;
+}

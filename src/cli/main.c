@@ -1,0 +1,89 @@
+/* hull2vd-cli COMMAND …: the program without a screen. */
+#include "cli.h"
+#include "config.h"
+#include "locate.h"
+
+#include <glib/gi18n.h>
+#include <locale.h>
+#include <string.h>
+
+static const CliCommand commands[] = {
+  { "compute", "POINTS",
+    N_ ("Write hull, Delaunay triangulation and Voronoi diagram as JSON"),
+    cli_compute },
+  { "trace", "POINTS", N_ ("Write what happens, one event a line"), cli_trace },
+  { "replay", "LESSON…", N_ ("Play lessons and check what they expect"),
+    cli_replay },
+  { "export", "POINTS|LESSON", N_ ("Write a picture: SVG, PDF or PNG"),
+    cli_export },
+  { "storyboard", "LESSON", N_ ("Write the stops of a lesson as PDF"),
+    cli_storyboard },
+  { "actions", "", N_ ("List all actions by name"), cli_actions },
+};
+
+static void
+print_usage (FILE *file)
+{
+  fprintf (file, "%s\n", _ ("usage: hull2vd-cli COMMAND [OPTION…] [FILE…]"));
+}
+
+static CliStatus
+print_help (void)
+{
+  CliOutput output;
+
+  cli_output_begin (&output);
+  print_usage (output.file);
+  fprintf (output.file, "\n");
+  for (guint i = 0; i < G_N_ELEMENTS (commands); i++)
+    fprintf (output.file, "  %-10s  %s\n", commands[i].name,
+             _ (commands[i].sentence));
+  fprintf (output.file, "\n%s\n%s\n",
+           _ ("hull2vd-cli COMMAND --help tells the options of a command."),
+           _ ("Exit status: 0 done, 1 input refused or an expectation failed, "
+              "2 a broken lesson,\n64 usage, 66 cannot open, 73 cannot "
+              "write."));
+  return cli_output_end (&output, NULL);
+}
+
+static CliStatus
+print_version (void)
+{
+  CliOutput output;
+
+  cli_output_begin (&output);
+  fprintf (output.file, "hull2vd-cli %s\n", VERSION);
+  return cli_output_end (&output, NULL);
+}
+
+static CliStatus
+refuse_command (const char *name)
+{
+  if (name == NULL)
+    cli_say ("%s", _ ("hull2vd-cli: which command?"));
+  else
+    cli_say (_ ("hull2vd-cli: there is no command “%s”"), name);
+  print_usage (stderr);
+  return CLI_USAGE;
+}
+
+int
+main (int argc, char **argv)
+{
+  const char *name = argc > 1 ? argv[1] : NULL;
+
+  setlocale (LC_ALL, "");
+  locate_translations ();
+  g_set_prgname ("hull2vd-cli");
+
+  if (name == NULL)
+    return refuse_command (NULL);
+  if (g_str_equal (name, "--help") || g_str_equal (name, "-h"))
+    return print_help ();
+  if (g_str_equal (name, "--version"))
+    return print_version ();
+  for (guint i = 0; i < G_N_ELEMENTS (commands); i++)
+    if (g_str_equal (name, commands[i].name))
+      return commands[i].run (&commands[i], argc - 1, argv + 1);
+  return refuse_command (name);
+}
