@@ -1,6 +1,4 @@
-/* The hook that turns events into a trace. It believes no event: one that is
- * not legal at its place is refused, so that a trace file can be read through
- * it too. */
+/* The hook that turns events into a trace. */
 #ifndef TRACE_RECORDER_H
 #define TRACE_RECORDER_H
 
@@ -10,11 +8,14 @@ typedef struct TraceRecorder TraceRecorder;
 
 TraceRecorder *trace_recorder_new (const SiteSet *set, const Order *order);
 
-/* Returns: NULL, or why the event cannot come here. */
-const char *trace_recorder_add (TraceRecorder *recorder, const Event *event);
-
-/* For HullHook: the event must be legal. */
+/* For HullHook: believes the event, which comes from hull_build(). */
 void trace_recorder_hook (const Event *event, void *recorder);
+
+/* Believes nothing: an event that is not legal at its place is refused, so
+ * that a trace file can be read through the recorder too.
+ *
+ * Returns: NULL, or why the event cannot come here. */
+const char *trace_recorder_add (TraceRecorder *recorder, const Event *event);
 
 /* Ends the recorder.
  *

@@ -1,5 +1,5 @@
 /* The rows of a trace: births, deaths and the links between them that only
- * their recorder needs. Private to trace-recorder.c. */
+ * their recorder needs. Private to trace-recorder and trace-rules. */
 #ifndef TRACE_ROWS_H
 #define TRACE_ROWS_H
 
