@@ -27,10 +27,11 @@ circle_through (Point3 a, Point3 b, Point3 c)
   const double sign = area < 0 ? -1 : 1;
   const Pixel to = { sign * (d * ey - e * dy), sign * (e * dx - d * ex) };
   const double length = hypot (to.x, to.y);
+  const double radius = length / (2 * fabs (area));
 
   return (Circle){ a,
                    { to.x / length, to.y / length },
-                   length / (2 * fabs (area)) };
+                   radius < STRAIGHT ? radius : STRAIGHT };
 }
 
 /* The point by @angle further round than circle->on. */

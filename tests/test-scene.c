@@ -1,0 +1,629 @@
+#include "scene.h"
+
+#include "clip.h"
+#include "fixture.h"
+
+#include <math.h>
+
+/* A frame with both of its scenes. */
+typedef struct Stage {
+  Fixture *fixture;
+  Frame frame;
+  SceneLook look;
+  Scene plane, space;
+  Projection on_plane, on_space;
+} Stage;
+
+static void
+stage_draw (Stage *stage)
+{
+  scene_plane (&stage->plane, &stage->frame, &stage->look);
+  scene_space (&stage->space, &stage->frame, &stage->look);
+}
+
+static void
+stage_project (Stage *stage, double width, double height)
+{
+  PlaneCamera plane;
+  Camera space;
+
+  plane_camera_init (&plane);
+  camera_init (&space, CAMERA_HOME);
+  stage->on_plane = plane_camera_projection (&plane, width, height);
+  stage->on_space = camera_projection (&space, width, height);
+  scene_look_fit (&stage->look, &stage->on_plane, 6);
+}
+
+/* Takes over the fixture. */
+static Stage *
+stage_take (Fixture *fixture, uint32_t step)
+{
+  Stage *stage = g_new0 (Stage, 1);
+
+  stage->fixture = fixture;
+  frame_init (&stage->frame, fixture->trace, step);
+  scene_look_init (&stage->look, &stage->frame);
+  stage_project (stage, 500, 500);
+  stage_draw (stage);
+  return stage;
+}
+
+static Stage *
+stage_new (const char *name, uint32_t round, Phase phase)
+{
+  Fixture *fixture = fixture_load (name, ORDER_FURTHEST);
+  uint32_t step;
+
+  g_assert_true (
+      timeline_find (fixture->trace, (Place){ round, phase }, false, &step));
+  return stage_take (fixture, step);
+}
+
+static Stage *
+stage_at_end (const char *name)
+{
+  Fixture *fixture = fixture_load (name, ORDER_FURTHEST);
+
+  return stage_take (fixture, fixture->trace->n_events);
+}
+
+static void
+stage_free (Stage *stage)
+{
+  scene_clear (&stage->plane);
+  scene_clear (&stage->space);
+  frame_clear (&stage->frame);
+  fixture_free (stage->fixture);
+  g_free (stage);
+}
+
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (Stage, stage_free)
+
+static guint
+count_role (const Scene *scene, Role role)
+{
+  guint i, n = 0;
+
+  for (i = 0; i < scene->n_items; i++)
+    n += scene->items[i].role == role;
+  return n;
+}
+
+static const SceneItem *
+find_item (const Scene *scene, Role role, Object object)
+{
+  guint i;
+
+  for (i = 0; i < scene->n_items; i++)
+    if (scene->items[i].role == role
+        && object_equal (scene->items[i].object, object))
+      return &scene->items[i];
+  return NULL;
+}
+
+static const Site *
+site_of (const Stage *stage, uint32_t site)
+{
+  return &stage->fixture->set->sites[site];
+}
+
+static Pixel
+pixel_of (const Projection *projection, Point3 point)
+{
+  const Point3 at = projection_apply (projection, point);
+
+  return (Pixel){ at.x, at.y };
+}
+
+static Role
+role_of_point (const Scene *scene, guint point)
+{
+  guint i = 0;
+
+  while (scene->items[i].first + scene->items[i].n <= point)
+    i++;
+  return scene->items[i].role;
+}
+
+static void
+assert_finite (const Scene *scene, const char *name, uint32_t step)
+{
+  guint i;
+
+  for (i = 0; i < scene->n_points; i++)
+    if (!isfinite (scene->points[i].x) || !isfinite (scene->points[i].y)
+        || !isfinite (scene->points[i].z))
+      g_error ("%s, step %u: point %u of a %d is not finite", name, step, i,
+               role_of_point (scene, i));
+}
+
+/* Every scene of a trace, of few steps where it is long. */
+static void
+check_scenes (const Fixture *fixture)
+{
+  const uint32_t n = fixture->trace->n_events;
+  const uint32_t stride = MAX (n / 12, 1);
+  Scene scene = { 0 };
+  uint32_t step;
+
+  for (step = 0; step <= n; step += stride) {
+    SceneLook look;
+    Frame frame;
+    uint64_t hash;
+
+    frame_init (&frame, fixture->trace, step);
+    hash = frame_hash (&frame);
+    scene_look_init (&look, &frame);
+    look.layers = (1U << N_LAYERS) - 1;
+    scene_plane (&scene, &frame, &look);
+    assert_finite (&scene, fixture->name, step);
+    scene_space (&scene, &frame, &look);
+    assert_finite (&scene, fixture->name, step);
+    g_assert_true (frame_hash (&frame) == hash);
+    frame_clear (&frame);
+  }
+  scene_clear (&scene);
+}
+
+static void
+test_finite (void)
+{
+  const char *const *name;
+
+  for (name = fixture_names (); *name != NULL; name++) {
+    g_autoptr (Fixture) fixture = fixture_load (*name, ORDER_FURTHEST);
+
+    check_scenes (fixture);
+  }
+  fixture_for_each (2, 24, ORDER_FURTHEST, check_scenes);
+}
+
+static void
+test_names (void)
+{
+  int i;
+
+  for (i = 0; i < N_LAYERS; i++) {
+    Layer layer;
+
+    g_assert_true (layer_parse (layer_name ((Layer)(1 << i)), &layer));
+    g_assert_cmpint (layer, ==, 1 << i);
+  }
+  for (i = 0; i <= FOCUS_CONE; i++) {
+    Focus focus;
+
+    g_assert_true (focus_parse (focus_name ((Focus)i), &focus));
+    g_assert_cmpint (focus, ==, i);
+  }
+  g_assert_cmpstr (layer_name (LAYER_CIRCLES), ==, "circumcircles");
+}
+
+static void
+test_active_set (void)
+{
+  g_autoptr (Stage) see = stage_new ("lecture8", 4, PHASE_SEE);
+  g_autoptr (Stage) horizon = stage_new ("lecture8", 4, PHASE_HORIZON);
+  g_autoptr (Stage) cone = stage_new ("lecture8", 4, PHASE_CONE);
+  g_autoptr (Stage) over = stage_new ("lecture8", 4, PHASE_HAND_OVER);
+
+  /* Round 4 of this set: 4 visible facets, all lower; a cone of 6. */
+  g_assert_cmpuint (count_role (&see->plane, ROLE_VISIBLE), ==, 4);
+  g_assert_cmpuint (count_role (&see->space, ROLE_VISIBLE), ==, 8);
+  g_assert_cmpuint (count_role (&see->plane, ROLE_VORONOI_VERTEX_DYING), ==, 4);
+  g_assert_cmpuint (count_role (&see->plane, ROLE_HORIZON), ==, 0);
+  g_assert_cmpuint (count_role (&horizon->plane, ROLE_HORIZON), ==, 6);
+  g_assert_cmpuint (count_role (&horizon->space, ROLE_HORIZON), ==, 12);
+  g_assert_cmpuint (count_role (&cone->plane, ROLE_CONE), ==, 6);
+  g_assert_cmpuint (count_role (&cone->plane, ROLE_CONE_EDGE), ==, 6);
+  g_assert_cmpuint (count_role (&over->plane, ROLE_CONE), ==, 6);
+  g_assert_cmpuint (count_role (&over->plane, ROLE_VISIBLE), ==, 0);
+  g_assert_cmpuint (count_role (&over->plane, ROLE_SITE_APEX), ==, 1);
+}
+
+/* mixed8: round 1 sees two lower facets from outside, round 2 three upper
+ * ones, round 4 one of each. */
+static void
+test_upper (void)
+{
+  g_autoptr (Stage) upper = stage_new ("mixed8", 2, PHASE_SEE);
+  g_autoptr (Stage) both = stage_new ("mixed8", 4, PHASE_CONE);
+  g_autoptr (Stage) ring = stage_new ("mixed8", 4, PHASE_HORIZON);
+
+  g_assert_cmpuint (count_role (&upper->plane, ROLE_VISIBLE), ==, 0);
+  g_assert_cmpuint (count_role (&upper->space, ROLE_VISIBLE_UPPER), ==, 3);
+  g_assert_cmpuint (count_role (&upper->plane, ROLE_VORONOI_VERTEX_DYING), ==,
+                    0);
+  g_assert_cmpuint (count_role (&both->plane, ROLE_CONE), ==, 3);
+  g_assert_cmpuint (count_role (&both->space, ROLE_CONE_UPPER), ==, 1);
+  g_assert_cmpuint (count_role (&ring->plane, ROLE_HORIZON)
+                        + count_role (&ring->plane, ROLE_HORIZON_UPPER),
+                    ==, 4);
+  g_assert_cmpuint (count_role (&ring->plane, ROLE_HORIZON_UPPER), ==, 1);
+}
+
+static void
+test_emphasis (void)
+{
+  g_autoptr (Stage) stage = stage_new ("lecture8", 4, PHASE_SEE);
+  guint i, n_pale = 0;
+
+  for (i = 0; i < stage->plane.n_items; i++) {
+    const SceneItem *item = &stage->plane.items[i];
+
+    if (item->role == ROLE_VISIBLE || item->role == ROLE_CIRCLE_VISIBLE
+        || item->role == ROLE_SITE_APEX)
+      g_assert_cmpint (item->emphasis, ==, EMPHASIS_LOUD);
+    if (item->role == ROLE_SITE)
+      g_assert_cmpint (item->emphasis, ==, EMPHASIS_NORMAL);
+    n_pale += item->emphasis == EMPHASIS_PALE;
+  }
+  g_assert_cmpuint (n_pale, >, 10);
+  stage->look.focus = FOCUS_NONE;
+  stage_draw (stage);
+  for (i = 0; i < stage->plane.n_items; i++)
+    g_assert_cmpint (stage->plane.items[i].emphasis, !=, EMPHASIS_PALE);
+}
+
+/* A site takes the click on its mark, in both views. */
+static void
+test_pick_sites (void)
+{
+  g_autoptr (Stage) stage = stage_at_end ("lecture8");
+  uint32_t i;
+
+  for (i = 0; i < stage->frame.n_sites; i++) {
+    const Pixel plane
+        = pixel_of (&stage->on_plane,
+                    scene_point (&stage->look, site_of (stage, i), false));
+    const Pixel space = pixel_of (
+        &stage->on_space, scene_point (&stage->look, site_of (stage, i), true));
+    const Object on_plane
+        = scene_pick (&stage->plane, &stage->on_plane,
+                      (double[2]){ plane.x + 3, plane.y - 2 }, 8);
+    const Object on_space = scene_pick (&stage->space, &stage->on_space,
+                                        (double[2]){ space.x + 1, space.y }, 8);
+
+    g_assert_cmpint (on_plane.kind, ==, OBJECT_SITE);
+    g_assert_cmpuint (on_plane.number, ==, i);
+    g_assert_cmpint (on_space.kind, ==, OBJECT_SITE);
+    g_assert_cmpuint (on_space.number, ==, i);
+  }
+}
+
+static double
+squared (double x, double y)
+{
+  return x * x + y * y;
+}
+
+/* Without triangles, a click in the plane is in the cell of the nearest
+ * site. */
+static void
+check_cells (const Fixture *fixture)
+{
+  Stage *stage = g_new0 (Stage, 1);
+  g_autoptr (GRand) rand = g_rand_new_with_seed (3);
+  int i;
+
+  stage->fixture = (Fixture *)fixture;
+  frame_init (&stage->frame, fixture->trace, fixture->trace->n_events);
+  scene_look_init (&stage->look, &stage->frame);
+  stage_project (stage, 500, 500);
+  stage->look.layers = LAYER_VORONOI;
+  scene_plane (&stage->plane, &stage->frame, &stage->look);
+  for (i = 0; i < 40; i++) {
+    const double at[2] = { g_rand_double_range (rand, 8, 492),
+                           g_rand_double_range (rand, 8, 492) };
+    const Object picked = scene_pick (&stage->plane, &stage->on_plane, at, 0);
+    const Point3 point = projection_unapply (&stage->on_plane, at[0], at[1]);
+    double least = INFINITY;
+    uint32_t k;
+
+    for (k = 0; k < stage->frame.n_sites; k++) {
+      const Point3 site = scene_point (&stage->look, site_of (stage, k), false);
+
+      least = fmin (least, squared (site.x - point.x, site.y - point.y));
+    }
+    if (picked.kind == OBJECT_SITE) {
+      const Point3 site
+          = scene_point (&stage->look, site_of (stage, picked.number), false);
+
+      if (squared (site.x - point.x, site.y - point.y) > least + 1e-6)
+        g_error ("%s: s%u is not nearest to %g, %g", fixture->name,
+                 picked.number, at[0], at[1]);
+    } else if (picked.kind != OBJECT_RIDGE && picked.kind != OBJECT_VERTEX) {
+      g_error ("%s: nothing at %g, %g", fixture->name, at[0], at[1]);
+    }
+  }
+  scene_clear (&stage->plane);
+  frame_clear (&stage->frame);
+  g_free (stage);
+}
+
+static void
+test_cells (void)
+{
+  fixture_for_each (3, 20, ORDER_FURTHEST, check_cells);
+}
+
+/* Where the line of sight through @corners' plane meets the pixel, or
+ * infinity: smaller is nearer. By solving for barycentric coordinates in the
+ * view. */
+static double
+depth_at (const Stage *stage, const SceneItem *item, Pixel at)
+{
+  const Point3 *points = &stage->space.points[item->first];
+  Point3 p[3];
+  double area, b[3];
+  int k;
+
+  for (k = 0; k < 3; k++)
+    p[k] = projection_apply (&stage->on_space, points[k]);
+  area = (p[1].x - p[0].x) * (p[2].y - p[0].y)
+         - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+  for (k = 0; k < 3; k++) {
+    const Point3 q = p[(k + 1) % 3], r = p[(k + 2) % 3];
+
+    b[k] = ((r.x - q.x) * (at.y - q.y) - (r.y - q.y) * (at.x - q.x)) / area;
+    if (!(b[k] > 1e-6))
+      return INFINITY;
+  }
+  return b[0] * p[0].z + b[1] * p[1].z + b[2] * p[2].z;
+}
+
+/* The facet picked is the nearest to the eye of all that the line of sight
+ * meets, whatever the camera. */
+static void
+test_pick_nearest (void)
+{
+  g_autoptr (Stage) stage = stage_at_end ("mixed8");
+  g_autoptr (GRand) rand = g_rand_new_with_seed (11);
+  int i, n_facets = 0;
+
+  stage->look.layers = LAYER_HULL;
+  stage_draw (stage);
+  for (i = 0; i < 300; i++) {
+    const double at[2] = { g_rand_double_range (rand, 100, 400),
+                           g_rand_double_range (rand, 100, 400) };
+    Camera camera;
+    Object picked;
+    double least = INFINITY, depth = INFINITY;
+    guint k;
+
+    camera_init (&camera, (CameraPreset)(i % N_CAMERA_PRESETS));
+    camera_roll (&camera, (double[2]){ 250, 250 }, at, (double[2]){ 500, 500 });
+    stage->on_space = camera_projection (&camera, 500, 500);
+    picked = scene_pick (&stage->space, &stage->on_space, at, 0);
+    for (k = 0; k < stage->space.n_items; k++) {
+      const SceneItem *item = &stage->space.items[k];
+      double here;
+
+      if (item->pass != PASS_HULL || item->shape != SHAPE_POLYGON)
+        continue;
+      here = depth_at (stage, item, (Pixel){ at[0], at[1] });
+      least = fmin (least, here);
+      if (object_equal (item->object, picked))
+        depth = here;
+    }
+    if (!isfinite (least))
+      continue;
+    n_facets++;
+    g_assert_cmpint (picked.kind, ==, OBJECT_FACET);
+    g_assert_cmpfloat (depth, <=, least + 1e-9);
+  }
+  g_assert_cmpint (n_facets, >, 60);
+}
+
+/* All points of a circle are equally far from its three sites' centre: from
+ * the point where the bisectors meet, by the Voronoi vertex that the frame
+ * has. */
+static void
+test_circles (void)
+{
+  g_autoptr (Stage) stage = stage_at_end ("lecture8");
+  guint i, k, n_circles = 0;
+
+  stage->look.layers = LAYERS_DEFAULT | LAYER_CIRCLES;
+  stage_draw (stage);
+  for (i = 0; i < stage->plane.n_items; i++) {
+    const SceneItem *item = &stage->plane.items[i];
+    const FacetRow *row;
+    Point3 site[3];
+    uint32_t group;
+
+    if (item->role != ROLE_CIRCLE)
+      continue;
+    n_circles++;
+    row = &stage->fixture->trace->facets[item->object.number];
+    for (group = 0;; group++) {
+      const uint32_t triangle = stage->frame.voronoi.vertices[group].triangle;
+
+      if (stage->frame.delaunay.triangles[triangle].facet
+          == item->object.number)
+        break;
+    }
+    for (k = 0; k < 3; k++)
+      site[k]
+          = scene_point (&stage->look, site_of (stage, row->site[k]), false);
+    for (k = 0; k < item->n; k++) {
+      const Point3 at = stage->plane.points[item->first + k];
+      const Point3 centre = scene_point (
+          &stage->look, &stage->frame.voronoi.vertices[group].at, false);
+      const double radius = hypot (site[0].x - centre.x, site[0].y - centre.y);
+
+      g_assert_cmpfloat (
+          fabs (hypot (at.x - centre.x, at.y - centre.y) - radius), <,
+          1e-3 * radius);
+    }
+  }
+  g_assert_cmpuint (n_circles, >=, 10);
+}
+
+/* Selecting a facet lights its triangle, circle and Voronoi vertex, and
+ * nothing else; a site its lift and cell; a ridge its three edges. */
+static void
+test_counterparts (void)
+{
+  g_autoptr (Stage) stage = stage_at_end ("lecture8");
+  const uint32_t facet = stage->frame.delaunay.triangles[2].facet;
+  const Object object = { OBJECT_FACET, facet };
+  const uint32_t ridge = stage->frame.ridges[5].ridge;
+  guint i, n_ridges = 0;
+
+  stage->look.selection = object;
+  stage->look.hover = (Object){ OBJECT_SITE, 3 };
+  stage_draw (stage);
+  g_assert_cmpint (find_item (&stage->plane, ROLE_TRIANGLE, object)->lit, ==,
+                   LIT_SELECTED);
+  g_assert_cmpint (find_item (&stage->space, ROLE_LOWER, object)->lit, ==,
+                   LIT_SELECTED);
+  g_assert_cmpuint (count_role (&stage->plane, ROLE_CIRCLE_SELECTED), >=, 1);
+  g_assert_cmpuint (count_role (&stage->plane, ROLE_CIRCLE), ==, 0);
+  for (i = 0; i < stage->plane.n_items; i++) {
+    const SceneItem *item = &stage->plane.items[i];
+
+    if (item->object.kind == OBJECT_VERTEX && item->shape == SHAPE_MARK)
+      g_assert_cmpint (item->lit == LIT_SELECTED, ==,
+                       item->object.number == facet);
+    if (item->role == ROLE_CELL || item->role == ROLE_SITE)
+      g_assert_cmpint (item->lit == LIT_HOVER, ==, item->object.number == 3);
+  }
+  stage->look.selection = (Object){ OBJECT_RIDGE, ridge };
+  stage_draw (stage);
+  for (i = 0; i < stage->space.n_items; i++)
+    n_ridges += stage->space.items[i].lit == LIT_SELECTED;
+  g_assert_cmpuint (n_ridges, >=, 2);
+  g_assert_cmpuint (n_ridges, <=, 3);
+}
+
+/* A Delaunay edge and a Voronoi edge that are lit together are dual: they
+ * stand at a right angle, and belong to the same two sites as the ridge. */
+static void
+test_dual_edges (void)
+{
+  g_autoptr (Stage) stage = stage_at_end ("mixed8");
+  guint i, n_pairs = 0;
+
+  for (i = 0; i < stage->plane.n_items; i++) {
+    const SceneItem *edge = &stage->plane.items[i];
+    const SceneItem *dual;
+    const RidgeRow *row;
+    Point3 a, b, c, d, tail;
+
+    if (edge->role != ROLE_DELAUNAY_EDGE)
+      continue;
+    dual = find_item (&stage->plane, ROLE_VORONOI_EDGE, edge->object);
+    row = &stage->fixture->trace->ridges[edge->object.number];
+    a = stage->plane.points[edge->first];
+    b = stage->plane.points[edge->first + 1];
+    tail = scene_point (&stage->look, site_of (stage, row->site[0]), false);
+    g_assert_true ((tail.x == a.x && tail.y == a.y)
+                   || (tail.x == b.x && tail.y == b.y));
+    if (dual == NULL)
+      continue;
+    n_pairs++;
+    c = stage->plane.points[dual->first];
+    d = stage->plane.points[dual->first + 1];
+    g_assert_cmpfloat (
+        fabs ((b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y)), <, 1e-9);
+  }
+  g_assert_cmpuint (n_pairs, >=, 8);
+}
+
+/* Flat input has pictures too: triangles and their lifts, or a line. */
+static void
+test_flat (void)
+{
+  g_autoptr (Stage) square = stage_at_end ("square4");
+  g_autoptr (Stage) start = stage_new ("lecture8", 0, PHASE_START);
+
+  g_assert_cmpuint (count_role (&square->plane, ROLE_TRIANGLE), ==, 2);
+  g_assert_cmpuint (count_role (&square->plane, ROLE_FREE_EDGE), ==, 1);
+  g_assert_cmpuint (count_role (&square->plane, ROLE_VORONOI_EDGE), ==, 4);
+  g_assert_cmpuint (count_role (&square->plane, ROLE_VORONOI_VERTEX), ==, 1);
+  g_assert_cmpuint (count_role (&square->plane, ROLE_CELL), ==, 4);
+  g_assert_cmpuint (count_role (&square->space, ROLE_LOWER), ==, 2);
+  g_assert_cmpuint (count_role (&start->plane, ROLE_SITE_WAITING), ==, 8);
+  g_assert_cmpuint (count_role (&start->plane, ROLE_CELL), ==, 0);
+  g_assert_cmpuint (count_role (&start->space, ROLE_SITE_WAITING), ==, 8);
+}
+
+/* The same set at another scale and place makes the same scenes. */
+static void
+test_scale (void)
+{
+  g_autoptr (Stage) near = stage_at_end ("lecture8");
+  const SiteSet *set = near->fixture->set;
+  g_autofree Site *sites = g_new (Site, set->n_sites);
+  const Order order = { ORDER_FURTHEST, 0 };
+  Stage *far;
+  uint32_t i;
+
+  for (i = 0; i < set->n_sites; i++)
+    sites[i] = (Site){ 4096 + set->sites[i].x / 1024,
+                       -8192 + set->sites[i].y / 1024 };
+  far = stage_take (fixture_take (g_strdup ("far"),
+                                  site_set_new (sites, set->n_sites), &order),
+                    near->fixture->trace->n_events);
+  g_assert_cmpuint (far->plane.n_items, ==, near->plane.n_items);
+  g_assert_cmpuint (far->plane.n_points, ==, near->plane.n_points);
+  for (i = 0; i < near->plane.n_points; i++) {
+    g_assert_cmpfloat (fabs (far->plane.points[i].x - near->plane.points[i].x),
+                       <, 1e-6);
+    g_assert_cmpfloat (fabs (far->plane.points[i].y - near->plane.points[i].y),
+                       <, 1e-6);
+  }
+  stage_free (far);
+}
+
+/* Sites a few last bits apart: their Voronoi vertices lie between doubles,
+ * but not in the picture. */
+static void
+test_last_bits (void)
+{
+  const double step = 0x1p-50;
+  const Site sites[] = { { 1, 1 }, { 1 + 3 * step, 1 }, { 1, 1 + 2 * step } };
+  const Order order = { ORDER_FURTHEST, 0 };
+  Stage *stage = stage_take (
+      fixture_take (g_strdup ("bits"), site_set_new (sites, 3), &order), 2);
+  guint i;
+
+  for (i = 0; i < stage->plane.n_items; i++) {
+    const SceneItem *item = &stage->plane.items[i];
+    const Point3 at = stage->plane.points[item->first];
+
+    if (item->role != ROLE_VORONOI_VERTEX)
+      continue;
+    /* A right angle: the centre is the middle of the long side. */
+    g_assert_cmpfloat (fabs (at.x), <, 1e-9);
+    g_assert_cmpfloat (fabs (at.y), <, 1e-9);
+    break;
+  }
+  g_assert_cmpuint (i, <, stage->plane.n_items);
+  stage_free (stage);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/scene/all-points-are-finite-and-the-frame-is-untouched",
+                   test_finite);
+  g_test_add_func ("/scene/every-layer-and-focus-has-a-name", test_names);
+  g_test_add_func ("/scene/the-active-set-has-its-roles", test_active_set);
+  g_test_add_func ("/scene/what-is-not-lower-has-roles-of-its-own", test_upper);
+  g_test_add_func ("/scene/the-active-set-is-loud-and-the-rest-pale",
+                   test_emphasis);
+  g_test_add_func ("/scene/a-circle-keeps-its-distance", test_circles);
+  g_test_add_func ("/scene/a-cell-holds-what-is-nearest-to-its-site",
+                   test_cells);
+  g_test_add_func ("/scene/counterparts-are-lit-together", test_counterparts);
+  g_test_add_func ("/scene/dual-edges-have-one-name", test_dual_edges);
+  g_test_add_func ("/scene/flat-input-has-pictures", test_flat);
+  g_test_add_func ("/scene/scale-and-place-do-not-matter", test_scale);
+  g_test_add_func ("/scene/the-last-bits-are-drawn-right", test_last_bits);
+  g_test_add_func ("/pick/a-site-takes-the-click-on-its-mark", test_pick_sites);
+  g_test_add_func ("/pick/a-facet-is-the-nearest-to-the-eye",
+                   test_pick_nearest);
+  return g_test_run ();
+}
