@@ -120,10 +120,11 @@ all_lines (const Moment *moment)
   GArray *cells = cells_new ();
   const uint32_t n = moment->n_active;
 
-  for (uint32_t i = 0; i < n * n; i++)
-    if (i / n != i % n)
-      add_cell (cells, cell_of_line (moment, moment->active[i / n],
-                                     moment->active[i % n]));
+  for (uint32_t i = 0; i < n; i++)
+    for (uint32_t j = 0; j < n; j++)
+      if (i != j)
+        add_cell (cells,
+                  cell_of_line (moment, moment->active[i], moment->active[j]));
   return cells;
 }
 

@@ -274,17 +274,25 @@ free_case (void *data)
   g_free (test);
 }
 
-static void
-add_case (const char *folder, const char *suite, const char *line)
+static Case *
+case_new (const char *folder, const char *line)
 {
   Case *test = g_new (Case, 1);
-  g_autofree char *path = NULL;
 
   test->folder = g_strdup (folder);
   test->row = g_strsplit (line, "\t", -1);
   g_assert_cmpuint (g_strv_length (test->row), >=,
                     FIRST_COUNT + G_N_ELEMENTS (columns));
-  path = g_strdup_printf ("/%s/%s-is-as-listed", suite, test->row[COLUMN_FILE]);
+  return test;
+}
+
+/* Takes over @test. */
+static void
+add_case (Case *test, const char *suite)
+{
+  g_autofree char *path
+      = g_strdup_printf ("/%s/%s-is-as-listed", suite, test->row[COLUMN_FILE]);
+
   g_test_add_data_func_full (path, test, test_file_is_as_listed, free_case);
 }
 
@@ -311,7 +319,7 @@ add_folder (const char *folder, const char *suite)
   check_head (lines[0]);
   for (char **line = lines + 1; *line != NULL; line++)
     if (**line != '\0')
-      add_case (folder, suite, *line);
+      add_case (case_new (folder, *line), suite);
 }
 
 int

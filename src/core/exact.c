@@ -189,13 +189,13 @@ typedef struct Vector {
   Expansion x, y;
 } Vector;
 
+/* difference = a - b */
 static void
-subtract (double a, double b, double *terms, Expansion *difference)
+subtract (double a, double b, Expansion *difference)
 {
   double error;
   const double rounded = two_sum (a, -b, &error);
 
-  *difference = (Expansion){ terms, 0, DIFFERENCE };
   append (difference, error);
   append (difference, rounded);
 }
@@ -203,8 +203,10 @@ subtract (double a, double b, double *terms, Expansion *difference)
 static void
 vector_init (Vector *v, const Site *to, const Site *from)
 {
-  subtract (to->x, from->x, v->x_terms, &v->x);
-  subtract (to->y, from->y, v->y_terms, &v->y);
+  v->x = (Expansion){ v->x_terms, 0, DIFFERENCE };
+  v->y = (Expansion){ v->y_terms, 0, DIFFERENCE };
+  subtract (to->x, from->x, &v->x);
+  subtract (to->y, from->y, &v->y);
 }
 
 /* cross = v.x w.y - v.y w.x */
