@@ -32,8 +32,9 @@ typedef enum Key {
   KEY_TRIANGLES,
   KEY_DELAUNAY_EDGES,
   KEY_VORONOI_VERTICES,
-  KEY_VORONOI_EDGES,
-  KEY_RAYS,
+  KEY_VORONOI_EDGES, /* with two ends */
+  KEY_RAYS,          /* with one end */
+  KEY_VORONOI_LINES, /* with none */
   N_NUMBER_KEYS,
   KEY_PHASE = N_NUMBER_KEYS,
   KEY_DELAUNAY,
@@ -61,6 +62,7 @@ static const char *const keys[N_KEYS + 1] = {
   [KEY_VORONOI_VERTICES] = "voronoi-vertices",
   [KEY_VORONOI_EDGES] = "voronoi-edges",
   [KEY_RAYS] = "rays",
+  [KEY_VORONOI_LINES] = "voronoi-lines",
   [KEY_PHASE] = "phase",
   [KEY_DELAUNAY] = "delaunay",
   [KEY_NARRATION] = "narration",
@@ -185,10 +187,18 @@ expect_parse (const char *text, GError **error)
   return parse (text, &expect, error);
 }
 
+/* Sites on a line have a diagram of lines alone. */
+static guint
+count_lines (const Frame *frame)
+{
+  return frame->delaunay.dimension == 1 ? frame->counts.voronoi_edges : 0;
+}
+
 static guint
 actual_number (Session *session, Key key)
 {
-  const FrameCounts *counts = &session_get_frame (session)->counts;
+  const Frame *frame = session_get_frame (session);
+  const FrameCounts *counts = &frame->counts;
   const guint numbers[N_NUMBER_KEYS] = {
     [KEY_SITES] = session_get_set (session)->n_sites,
     [KEY_INSERTED] = counts->n_inserted,
@@ -207,8 +217,10 @@ actual_number (Session *session, Key key)
     [KEY_TRIANGLES] = counts->triangles,
     [KEY_DELAUNAY_EDGES] = counts->delaunay_edges,
     [KEY_VORONOI_VERTICES] = counts->voronoi_vertices,
-    [KEY_VORONOI_EDGES] = counts->voronoi_edges,
+    [KEY_VORONOI_EDGES]
+    = counts->voronoi_edges - counts->rays - count_lines (frame),
     [KEY_RAYS] = counts->rays,
+    [KEY_VORONOI_LINES] = count_lines (frame),
   };
 
   return numbers[key];

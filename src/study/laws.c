@@ -81,7 +81,7 @@ add_flat (GPtrArray *laws, const Frame *frame)
   } else if (frame->delaunay.dimension == 1) {
     add (laws, "delaunay-edges", _ ("segments"),
          g_strdup_printf ("%u = %u − 1", counts->delaunay_edges, d));
-    add (laws, "voronoi-edges", _ ("Voronoi lines"),
+    add (laws, "voronoi-lines", _ ("Voronoi lines"),
          g_strdup_printf ("%u = %u − 1", counts->voronoi_edges, d));
   }
 }
