@@ -91,6 +91,7 @@ void scene_add_edge (SceneBuilder *builder,
 void scene_add_cone_edges (SceneBuilder *builder, bool lifted);
 void scene_add_horizon (SceneBuilder *builder, bool lifted);
 void scene_add_selected_facet (SceneBuilder *builder, bool lifted);
+void scene_add_lit_facets (SceneBuilder *builder, bool lifted);
 void scene_add_facet_names (SceneBuilder *builder, bool lifted);
 
 /* Returns: the facet whose outside set is shown, or INDEX_NONE. */

@@ -63,6 +63,7 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_cone_edges (&builder, false);
   scene_add_selected_facet (&builder, false);
   scene_add_horizon (&builder, false);
+  scene_add_lit_facets (&builder, false);
   builder.pass = PASS_MARKS;
   scene_add_voronoi_vertices (diagram);
   add_sites (&builder);

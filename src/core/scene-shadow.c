@@ -262,20 +262,48 @@ scene_selected_facet (const SceneBuilder *builder)
   return INDEX_NONE;
 }
 
+static SceneItem *
+add_outline (SceneBuilder *builder, Role role, uint32_t facet, bool lifted)
+{
+  const uint32_t *site = scene_facet_sites (builder, facet);
+  int k;
+
+  scene_add (builder, SHAPE_PATH, role, (Object){ OBJECT_NONE, 0 });
+  for (k = 0; k < 4; k++)
+    scene_add_point (builder, scene_at (builder, site[k % 3], lifted));
+  return &builder->scene->items[builder->scene->n_items - 1];
+}
+
 void
 scene_add_selected_facet (SceneBuilder *builder, bool lifted)
 {
   const uint32_t facet = scene_selected_facet (builder);
-  const uint32_t *site;
-  int k;
 
-  if (facet == INDEX_NONE)
-    return;
-  site = scene_facet_sites (builder, facet);
-  scene_add (builder, SHAPE_PATH, ROLE_SELECTED_FACET,
-             (Object){ OBJECT_NONE, 0 });
-  for (k = 0; k < 4; k++)
-    scene_add_point (builder, scene_at (builder, site[k % 3], lifted));
+  if (facet != INDEX_NONE)
+    add_outline (builder, ROLE_SELECTED_FACET, facet, lifted);
+}
+
+static void
+add_if_lit (SceneBuilder *builder, uint32_t facet, bool lifted)
+{
+  const Lit lit = scene_lit (builder, (Object){ OBJECT_FACET, facet });
+
+  if (lit != LIT_NONE)
+    add_outline (builder, ROLE_LIT, facet, lifted)->lit = lit;
+}
+
+/* Outlines that show through, whatever lies before the facet. */
+void
+scene_add_lit_facets (SceneBuilder *builder, bool lifted)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+
+  for (i = 0; i < frame->n_facets; i++)
+    if (lifted || is_lower (builder, frame->facets[i].facet))
+      add_if_lit (builder, frame->facets[i].facet, lifted);
+  for (i = 0; frame->trace->is_flat && i < frame->delaunay.n_triangles; i++)
+    add_if_lit (builder, i, lifted);
 }
 
 static void

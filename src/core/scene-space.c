@@ -68,6 +68,7 @@ add_plane (SceneBuilder *builder)
   scene_add_cone_shadow (builder);
   scene_add_cone_edges (builder, false);
   scene_add_horizon (builder, false);
+  scene_add_lit_facets (builder, false);
   scene_add_voronoi_vertices (diagram);
   add_feet (builder);
   scene_diagram_free (diagram);
@@ -373,6 +374,7 @@ scene_space (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_cone_edges (&builder, true);
   scene_add_selected_facet (&builder, true);
   scene_add_horizon (&builder, true);
+  scene_add_lit_facets (&builder, true);
   builder.pass = PASS_MARKS;
   add_marks (&builder);
   scene_add_facet_names (&builder, true);

@@ -74,6 +74,7 @@ typedef enum Role {
   ROLE_LIFT_APEX,
   ROLE_LIFT_OUTSIDE,
   ROLE_DROP, /* from an outside site's lift to the facet's plane */
+  ROLE_LIT,  /* outline of a lit facet or triangle */
   ROLE_VORONOI_VERTEX,
   ROLE_VORONOI_VERTEX_DYING,
   ROLE_FOOT, /* a site in the plane, in the space view */

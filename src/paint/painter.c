@@ -6,6 +6,7 @@
 /* In space what lies in the plane is drawn thinner than in the plane view, and
  * lines behind the hull thinner and paler than those before it. */
 #define GROUND_WIDTH 0.62
+#define UNDER_ALPHA 0.12
 #define FAR_WIDTH 0.75
 #define FAR_ALPHA 0.5
 #define FAR_FILL 0.45
@@ -58,6 +59,11 @@ adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
     scale_style (style, GROUND_WIDTH);
     if (item->object.kind == OBJECT_VERTEX)
       style->radius *= GROUND_WIDTH;
+    /* Seen from below the plane is glass: the hull is what one looks at. */
+    if (depth == DEPTH_UNDER && item->shape == SHAPE_POLYGON) {
+      style->fill.alpha *= UNDER_ALPHA;
+      style->hatch = HATCH_NONE;
+    }
   }
   if (depth != DEPTH_HULL_FAR && depth != DEPTH_CONE_FAR)
     return;

@@ -21,7 +21,7 @@
 #define CONE_DARK 0x00664a
 #define DELAUNAY_BLUE 0x0b5cad
 #define VORONOI_GREY 0x555555
-#define SHEET_GOLD 0xa8861a
+#define SHEET_GOLD 0x9c7a12
 #define PAPER 0xfcfcfb
 
 static const Theme light = {
@@ -38,7 +38,7 @@ static const Theme light = {
   .cell_lightness = 0.955,
   .cell_chroma = 0.028,
   .pale_line = 0.55,
-  .pale_fill = 0.42,
+  .pale_fill = 0.32,
   .styles = {
     [ROLE_GROUND] = { .fill = HEX (0xffffff, 0.6), .line = HEX (0x83828a, 1),
                       .width = 1.3 },
@@ -89,6 +89,7 @@ static const Theme light = {
                             .dash = 4, .gap = 4 },
     [ROLE_DROP] = { .line = HEX (DELAUNAY_BLUE, 1), .width = 2.6,
                     .dash = 0.1, .gap = 5 },
+    [ROLE_LIT] = { .line = HEX (APEX_MAGENTA, 1), .width = 3, .casing = 5.5 },
     [ROLE_VORONOI_VERTEX] = { .line = HEX (VORONOI_GREY, 1),
                               .mark = MARK_DOT, .radius = 2.3 },
     [ROLE_VORONOI_VERTEX_DYING] = { .fill = HEX (0xffffff, 1),
@@ -146,16 +147,23 @@ make_pale (const Theme *theme, Style *style)
   style->fill.alpha *= theme->pale_fill;
 }
 
+/* Outlines and circles of what is lit change their colour; all other shapes
+ * keep their look and get a halo. */
 static void
 make_lit (const Theme *theme, const SceneItem *item, Style *style)
 {
   const bool is_selected = item->lit == LIT_SELECTED;
+  const Colour colour = is_selected ? theme->selection : theme->hover;
   const bool is_thin
       = item->role >= ROLE_LIFT && item->role <= ROLE_LIFT_OUTSIDE;
 
-  style->halo = is_selected ? theme->selection : theme->hover;
+  if (item->role == ROLE_LIT || item->role == ROLE_CIRCLE_SELECTED) {
+    style->line = colour;
+    return;
+  }
+  style->halo = colour;
   style->halo_width = is_selected ? HALO_WIDTH : 0.7 * HALO_WIDTH;
-  if (is_thin)
+  if (is_thin || item->role == ROLE_CIRCLE_VISIBLE)
     style->halo_width /= 2;
 }
 

@@ -1,0 +1,182 @@
+#include "storyboard.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char lesson_text[]
+    = "# What a site sees\n"
+      "\n"
+      "Words & <more> words.\n"
+      "\n"
+      "```lesson\n"
+      "format 1\n"
+      "sites -0.6 -0.5; 0.7 -0.4; 0.1 0.8; 0.0 0.1; 0.3 -0.1\n"
+      "```\n"
+      "\n"
+      "## First\n"
+      "\n"
+      "A *long* story & its **end**.\n"
+      "\n"
+      "```steps\n"
+      "goto round 1 choose\n"
+      "```\n"
+      "\n"
+      "## Second\n"
+      "\n"
+      "```steps\n"
+      "goto round 1 see\n"
+      "```\n"
+      "\n"
+      "## Third\n"
+      "\n"
+      "```steps\n"
+      "goto round 1 horizon\n"
+      "```\n"
+      "\n"
+      "## Fourth\n"
+      "\n"
+      "```steps\n"
+      "goto round 1 cone\n"
+      "```\n"
+      "\n"
+      "## Fifth\n"
+      "\n"
+      "```steps\n"
+      "goto round 1 hand-over\n"
+      "```\n";
+
+static Session *
+session_with_lesson (void)
+{
+  g_autoptr (GError) error = NULL;
+  g_autoptr (Lesson) lesson
+      = lesson_parse (lesson_text, strlen (lesson_text), "test.md", &error);
+  Session *session = session_new ();
+
+  g_assert_no_error (error);
+  session_set_lesson (session, lesson);
+  return session;
+}
+
+static GString *
+write_board (Session *session)
+{
+  g_autoptr (GError) error = NULL;
+  GString *bytes = g_string_new (NULL);
+  FILE *file = tmpfile ();
+  int byte;
+
+  g_assert_true (storyboard_write (session, file, &error));
+  g_assert_no_error (error);
+  rewind (file);
+  while ((byte = fgetc (file)) != EOF)
+    g_string_append_c (bytes, (char)byte);
+  fclose (file);
+  return bytes;
+}
+
+static guint
+count (const GString *bytes, const char *words)
+{
+  const gsize length = strlen (words);
+  guint n = 0;
+  gsize i;
+
+  for (i = 0; i + length <= bytes->len; i++)
+    n += memcmp (bytes->str + i, words, length) == 0;
+  return n;
+}
+
+static void
+test_pages (void)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  GString *bytes = write_board (session);
+
+  g_assert_cmpuint (count (bytes, "<< /Type /Page "), ==, 2);
+  g_assert_cmpuint (count (bytes, "/Title (What a site sees)"), ==, 1);
+  g_assert_cmpuint (count (bytes, "/Title (Second)"), ==, 1);
+  g_assert_cmpuint (count (bytes, "/Title (Fifth)"), ==, 1);
+  g_assert_cmpuint (count (bytes, "/CreationDate (20040101000000"), ==, 1);
+  g_string_free (bytes, TRUE);
+}
+
+static void
+test_same_bytes (void)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) again = session_with_lesson ();
+  GString *first = write_board (session);
+  GString *second = write_board (session);
+  GString *third = write_board (again);
+
+  g_assert_cmpmem (first->str, first->len, second->str, second->len);
+  g_assert_cmpmem (first->str, first->len, third->str, third->len);
+  g_string_free (first, TRUE);
+  g_string_free (second, TRUE);
+  g_string_free (third, TRUE);
+}
+
+static void
+test_left_as_found (void)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  guint step;
+  GString *bytes;
+
+  session_set_stop (session, 2);
+  step = session_get_step (session);
+  bytes = write_board (session);
+  g_assert_cmpuint (session_get_stop (session), ==, 2);
+  g_assert_cmpuint (session_get_step (session), ==, step);
+  g_string_free (bytes, TRUE);
+}
+
+/* Without a lesson: the simplex, each round, and the end. */
+static void
+test_rounds (void)
+{
+  static const Site sites[]
+      = { { -0.6, -0.5 }, { 0.7, -0.4 }, { 0.1, 0.8 }, { 0, 0.1 },
+          { 0.3, -0.1 },  { 0.9, 0.9 },  { -0.8, 0.7 } };
+  g_autoptr (Session) session = session_new ();
+  g_autoptr (GError) error = NULL;
+  GString *bytes;
+
+  g_assert_true (session_set_sites (session, sites, 7, &error));
+  bytes = write_board (session);
+  g_assert_cmpuint (count (bytes, "/Title (Round 1: s"), ==, 1);
+  g_assert_cmpuint (count (bytes, "/Title (Round 3: s"), ==, 1);
+  g_assert_cmpuint (count (bytes, "/Title (Round 4: s"), ==, 0);
+  g_assert_cmpuint (count (bytes, "<< /Type /Page "), ==, 2);
+  g_string_free (bytes, TRUE);
+}
+
+static void
+test_full_disk (void)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (GError) error = NULL;
+  FILE *file = fopen ("/dev/full", "wb");
+
+  g_assert_nonnull (file);
+  g_assert_false (storyboard_write (session, file, &error));
+  g_assert_error (error, G_IO_ERROR, G_IO_ERROR_NO_SPACE);
+  fclose (file);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/storyboard/four-stops-share-a-page-and-are-in-its-outline",
+                   test_pages);
+  g_test_add_func ("/storyboard/the-same-lesson-gives-the-same-bytes",
+                   test_same_bytes);
+  g_test_add_func ("/storyboard/the-session-is-left-as-it-was",
+                   test_left_as_found);
+  g_test_add_func ("/storyboard/without-a-lesson-rounds-are-shown",
+                   test_rounds);
+  g_test_add_func ("/storyboard/a-full-disk-is-said", test_full_disk);
+  return g_test_run ();
+}
