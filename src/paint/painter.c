@@ -14,6 +14,7 @@
 /* Between the sites of a crowd; where there is less room, all is smaller. */
 #define ROOMY_PX 38.0
 #define SIZE_LEAST 0.25
+#define LEAST_RADIUS 1.3 /* of a mark; what is smaller is left out */
 
 /* Shade of a facet seen edge-on; face-on it is 1. */
 #define SHADE_LEAST 0.78
@@ -201,7 +202,7 @@ paint_mark (Painter *painter, const SceneItem *item)
   const Style style = painter_style (painter, item);
   Pixel at;
 
-  if (style.mark == MARK_NONE
+  if (style.mark == MARK_NONE || style.radius < LEAST_RADIUS
       || !clip_point (painter->projection, painter->scene->points[item->first],
                       &at)
       || at.x < -PAINTER_MARGIN || at.y < -PAINTER_MARGIN
