@@ -34,6 +34,13 @@ on_fold_due (gpointer user)
   return G_SOURCE_REMOVE;
 }
 
+void
+columns_fold (Columns *columns)
+{
+  columns->is_folded = TRUE;
+  g_signal_emit (columns, signals[SIGNAL_FOLD], 0, TRUE);
+}
+
 /* Children must not come and go while sizes are being given. */
 static void
 set_folded (Columns *columns, gboolean folded)

@@ -125,15 +125,16 @@ set_size (Hull2vdWindow *window)
     gdk_monitor_get_workarea (monitor, &room);
   if (window->settings != NULL)
     g_settings_get (window->settings, "window-size", "(ii)", &width, &height);
-  gtk_window_set_default_size (GTK_WINDOW (window),
-                               MIN (width, room.width - FRAME_WIDTH),
-                               MIN (height, room.height - FRAME_HEIGHT));
+  width = MIN (width, room.width - FRAME_WIDTH);
+  height = MIN (height, room.height - FRAME_HEIGHT);
+  gtk_window_set_default_size (GTK_WINDOW (window), width, height);
+  if (width < COLUMNS_FOLD_PX)
+    columns_fold (window->columns);
 }
 
 static void
 restore (Hull2vdWindow *window)
 {
-
   for (WindowPanel panel = 0; panel < N_PANELS; panel++)
     window->shows_panel[panel] = TRUE;
   set_size (window);
@@ -181,9 +182,9 @@ void
 window_layout_init (Hull2vdWindow *window)
 {
   columns_set_folding (window->columns, window->right_column);
+  g_signal_connect (window->columns, "fold", G_CALLBACK (on_fold), window);
   restore (window);
   update_columns (window);
-  g_signal_connect (window->columns, "fold", G_CALLBACK (on_fold), window);
   g_signal_connect (window->view_paned, "size-allocate",
                     G_CALLBACK (on_views_allocated), window);
 }
