@@ -80,12 +80,33 @@ all_inside (const SiteSet *set, const Extent *extent)
   return TRUE;
 }
 
+/* Lets the plane view show what it showed, now that scene coordinates have
+ * become others: a site stays under the pointer that put it there. */
+static void
+keep_plane (Session *session, const Extent *before)
+{
+  const Extent *now = &session->look.extent;
+  PlaneCamera camera = session->plane_camera;
+  const double scale = before->radius / now->radius;
+
+  camera.centre_x = (before->centre.x - now->centre.x) / now->radius
+                    + camera.centre_x * scale;
+  camera.centre_y = (before->centre.y - now->centre.y) / now->radius
+                    + camera.centre_y * scale;
+  camera.zoom /= scale;
+  session_set_plane_camera (session, &camera);
+}
+
 void
 session_fit_extent (Session *session, gboolean anyway)
 {
-  if (!anyway && all_inside (session->run->set, &session->look.extent))
+  const Extent before = session->look.extent;
+
+  if (!anyway && all_inside (session->run->set, &before))
     return;
   session->look.extent = site_set_extent (session->run->set);
+  if (!anyway)
+    keep_plane (session, &before);
   session_tell (session, CHANGED_LOOK);
 }
 
