@@ -178,7 +178,61 @@ swap_segments (Frame *frame)
   frame->delaunay.edges[1] = first;
 }
 
+static void
+swap_active (Frame *frame)
+{
+  fault_swap (&frame->delaunay.active[0], &frame->delaunay.active[1]);
+}
+
+static void
+turn_all_triangles (Frame *frame)
+{
+  for (uint32_t i = 0; i < frame->delaunay.n_triangles; i += 1) {
+    Triangle *triangle = &frame->delaunay.triangles[i];
+
+    fault_swap (&triangle->site[0], &triangle->site[1]);
+    fault_swap (&triangle->neighbour[1], &triangle->neighbour[2]);
+  }
+}
+
+static void
+put_triangle_beyond_groups (Frame *frame)
+{
+  frame->delaunay.triangles[0].group = 1000000;
+}
+
+static void
+swap_sides_of_inner_edge (Frame *frame)
+{
+  DelaunayEdge *edge = frame->delaunay.edges;
+
+  while (edge->triangle[1] == INDEX_NONE)
+    edge += 1;
+  fault_swap (&edge->triangle[0], &edge->triangle[1]);
+}
+
+static void
+put_boundary_beyond_sites (Frame *frame)
+{
+  frame->delaunay.boundary[0] = 1000000;
+}
+
+static void
+give_segment_triangle (Frame *frame)
+{
+  frame->delaunay.edges[0].triangle[0] = 0;
+}
+
 static const Fault faults[] = {
+  { "active-sites-disordered", "lecture8", "ascend", swap_active },
+  { "all-triangles-turned", "lecture8", "turn left", turn_all_triangles },
+  { "circle-group-beyond", "lecture8", "group", put_triangle_beyond_groups },
+  { "inner-edge-swapped", "lecture8", "misplaced", swap_sides_of_inner_edge },
+  { "line-beyond-sites", "line4", "none", put_boundary_beyond_sites },
+  { "line-with-triangle", "line4", "triangle", give_segment_triangle },
+  { "line-called-solid", "line4", "lifts", raise_lift_dimension },
+  { "line-with-circle-group", "line4", "groups", invent_group },
+  { "line-extreme-miscounted", "line4", "extreme", miscount_extreme },
   { "triangle-turned", "lecture8", "", turn_triangle },
   { "triangle-missing", "lecture8", "", lose_triangle },
   { "triangle-twice", "lecture8", "one side", repeat_triangle },
@@ -236,11 +290,94 @@ test_finds_double_cover (void)
   site_set_free (set);
 }
 
+/* Checks that a triangulation of @sites made by hand is refused. */
+static void
+assert_refused (Delaunay *delaunay,
+                const Site *sites,
+                uint32_t n_sites,
+                const char *expected)
+{
+  SiteSet *set = site_set_new (sites, n_sites);
+  char why[CERTIFY_ROOM];
+
+  delaunay->set = set;
+  g_assert_false (certify_delaunay (delaunay, why));
+  g_assert_cmpstr (why, ==, expected);
+  site_set_free (set);
+}
+
+static void
+test_finds_two_islands (void)
+{
+  const Site sites[]
+      = { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 9, 0 }, { 10, 0 }, { 9, 1 } };
+  Triangle triangles[] = {
+    { { 0, 1, 2 }, { INDEX_NONE, INDEX_NONE, INDEX_NONE }, 0, 0 },
+    { { 3, 4, 5 }, { INDEX_NONE, INDEX_NONE, INDEX_NONE }, 1, 1 },
+  };
+  Delaunay delaunay = { .dimension = 2,
+                        .lift_dimension = 3,
+                        .active = (uint32_t[]){ 0, 1, 2, 3, 4, 5 },
+                        .n_active = 6,
+                        .triangles = triangles,
+                        .n_triangles = 2,
+                        .n_groups = 2 };
+
+  assert_refused (&delaunay, sites, 6, "the border is not one loop");
+}
+
+/* Two segments along a boundary of three, said to be sites 0, 1, 2. */
+static Delaunay
+line_by_hand (uint32_t *boundary, DelaunayEdge *edges)
+{
+  static uint32_t active[] = { 0, 1, 2 };
+
+  for (uint32_t i = 0; i < 2; i += 1)
+    edges[i] = (DelaunayEdge){ { boundary[i], boundary[i + 1] },
+                               { INDEX_NONE, INDEX_NONE },
+                               false };
+  return (Delaunay){ .dimension = 1,
+                     .lift_dimension = 2,
+                     .active = active,
+                     .n_active = 3,
+                     .boundary = boundary,
+                     .n_boundary = 3,
+                     .n_extreme = 2,
+                     .edges = edges,
+                     .n_edges = 2 };
+}
+
+static void
+test_finds_bent_line (void)
+{
+  const Site sites[] = { { 0, 0 }, { 1, 0.125 }, { 2, 0 } };
+  uint32_t boundary[] = { 0, 1, 2 };
+  DelaunayEdge edges[2];
+  Delaunay delaunay = line_by_hand (boundary, edges);
+
+  assert_refused (&delaunay, sites, 3, "s1 is not on the line");
+}
+
+static void
+test_finds_line_of_other_sites (void)
+{
+  const Site sites[] = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 3, 3 } };
+  uint32_t boundary[] = { 0, 1, 3 };
+  DelaunayEdge edges[2];
+  Delaunay delaunay = line_by_hand (boundary, edges);
+
+  assert_refused (&delaunay, sites, 4, "s2 is not on the line");
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/certify/finds/double-cover", test_finds_double_cover);
+  g_test_add_func ("/certify/finds/two-islands", test_finds_two_islands);
+  g_test_add_func ("/certify/finds/bent-line", test_finds_bent_line);
+  g_test_add_func ("/certify/finds/line-of-other-sites",
+                   test_finds_line_of_other_sites);
   fault_add_tests (faults, G_N_ELEMENTS (faults));
   return g_test_run ();
 }

@@ -121,7 +121,14 @@ shift_cells (Frame *frame)
   frame->voronoi.start[1] += 1;
 }
 
+static void
+lengthen_cells (Frame *frame)
+{
+  frame->voronoi.start[frame->n_sites] += 2;
+}
+
 static const Fault faults[] = {
+  { "cells-too-long", "mixed8", "wrong number", lengthen_cells },
   { "vertex-moved", "mixed8", "centre", move_vertex },
   { "vertex-not-a-number", "mixed8", "centre", lose_centre },
   { "vertex-missing", "mixed8", "vertices", lose_vertex },

@@ -97,6 +97,8 @@ check_direction (const Voronoi *voronoi,
   return true;
 }
 
+/* Two neighbouring triangles are in one group iff the edge between them is
+ * free: a dual that is not free joins two vertices, it has a length. */
 static bool
 check_edge (const Voronoi *voronoi,
             const VoronoiEdge *edge,
@@ -116,12 +118,7 @@ check_edge (const Voronoi *voronoi,
       || edge->vertex[1] != group_of (delaunay, dual->triangle[1]))
     return certify_fault (why, "the edge between s%u and s%u is misplaced",
                           dual->site[0], dual->site[1]);
-  if (edge->vertex[1] == INDEX_NONE)
-    return check_direction (voronoi, edge, why);
-  if (edge->vertex[0] == edge->vertex[1])
-    return certify_fault (why, "the edge between s%u and s%u has no length",
-                          dual->site[0], dual->site[1]);
-  return true;
+  return edge->vertex[1] != INDEX_NONE || check_direction (voronoi, edge, why);
 }
 
 static bool

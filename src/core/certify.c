@@ -122,25 +122,6 @@ check_facings (const Frame *frame, char why[CERTIFY_ROOM])
                          n[FACING_VERTICAL], why);
 }
 
-/* What the numbers of boundary sites and of extreme sites say of a whole
- * hull. */
-static bool
-check_hull_counts (const Frame *frame, char why[CERTIFY_ROOM])
-{
-  const FrameCounts *counts = &frame->counts;
-  const uint32_t n = frame->delaunay.n_active;
-  const uint32_t n_boundary = frame->delaunay.n_boundary;
-  const uint32_t n_extreme = frame->delaunay.n_extreme;
-
-  if (frame->delaunay.lift_dimension < 3)
-    return true;
-  return check_count ("lower facets", counts->lower, 2 * n - 2 - n_boundary,
-                      why)
-         && check_count ("upper facets", counts->upper, n_extreme - 2, why)
-         && check_count ("vertical facets", counts->vertical,
-                         n_boundary - n_extreme, why);
-}
-
 static bool
 check_diagram_counts (const Frame *frame, char why[CERTIFY_ROOM])
 {
@@ -166,5 +147,5 @@ certify_frame (const Frame *frame, char why[CERTIFY_ROOM])
   return certify_delaunay (&frame->delaunay, why)
          && certify_voronoi (&frame->voronoi, why) && check_hull (frame, why)
          && check_shadows (frame, why) && check_facings (frame, why)
-         && check_hull_counts (frame, why) && check_diagram_counts (frame, why);
+         && check_diagram_counts (frame, why);
 }

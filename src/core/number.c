@@ -111,9 +111,10 @@ number_write (double number, char text[NUMBER_ROOM])
    * search: printf() drops their zeros. */
   int digits = fabs (number) < DBL_MIN ? 1 : 15;
 
-  do {
-    snprintf (text, NUMBER_ROOM, "%.*g", digits, number);
+  snprintf (text, NUMBER_ROOM, "%.*g", digits, number);
+  while (digits < 17 && strtod (text, NULL) != number) {
     digits += 1;
-  } while (digits <= 17 && strtod (text, NULL) != number);
+    snprintf (text, NUMBER_ROOM, "%.*g", digits, number);
+  }
   uselocale (before);
 }
