@@ -13,10 +13,13 @@ load_all (char **paths, GPtrArray *lessons)
     GError *error = NULL;
     Lesson *lesson = lesson_load (*paths, &error);
 
-    if (lesson != NULL)
+    if (lesson != NULL) {
       g_ptr_array_add (lessons, lesson);
-    else
-      worst = MAX (worst, cli_fail (error));
+    } else {
+      const CliStatus status = cli_fail (error);
+
+      worst = MAX (worst, status);
+    }
   }
   return worst;
 }

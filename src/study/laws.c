@@ -53,6 +53,11 @@ add_facets (GPtrArray *laws, const Frame *frame)
   const guint b = frame->delaunay.n_boundary;
   const guint h = frame->delaunay.n_extreme;
 
+  /* The laws hold for whole hulls: the first simplex is not yet one. */
+  if (d == 0) {
+    add (laws, "facets", _ ("facets"), number (counts->facets));
+    return;
+  }
   add (laws, "facets", _ ("facets"),
        g_strdup_printf ("%u = 2·%u − 4", counts->facets, d));
   add (laws, "lower", _ ("lower"),

@@ -7,7 +7,8 @@
 typedef struct Writer {
   GString *text;
   gboolean has_markup;
-  GArray *numbers; /* int: of the next item of each open list, 0: bullets */
+  gboolean has_words; /* something stands before what comes next */
+  GArray *numbers;    /* int: of the next item of each open list, 0: bullets */
 } Writer;
 
 static void
@@ -23,6 +24,7 @@ write_literal (Writer *writer, const char *literal)
   g_autofree char *escaped = g_markup_escape_text (literal, -1);
 
   g_string_append (writer->text, writer->has_markup ? escaped : literal);
+  writer->has_words = writer->has_words || *literal != '\0';
 }
 
 static gboolean
@@ -39,7 +41,7 @@ begin_block (Writer *writer, cmark_node *node)
 {
   if (is_in_item (node) && cmark_node_previous (node) == NULL)
     return;
-  if (writer->text->len > 0)
+  if (writer->has_words)
     g_string_append (writer->text, "\n\n");
 }
 
@@ -59,15 +61,16 @@ begin_item (Writer *writer, cmark_node *node)
   int *number = &g_array_index (writer->numbers, int, writer->numbers->len - 1);
   const gboolean is_first = cmark_node_previous (node) == NULL;
 
-  if (writer->text->len > 0)
+  if (writer->has_words)
     g_string_append (writer->text,
                      is_first && writer->numbers->len == 1 ? "\n\n" : "\n");
   for (guint i = 1; i < writer->numbers->len; i++)
     g_string_append (writer->text, "    ");
   if (*number == 0)
-    g_string_append (writer->text, "•  ");
+    write_literal (writer, "•  ");
   else
     g_string_append_printf (writer->text, "%d.  ", (*number)++);
+  writer->has_words = TRUE;
 }
 
 /* The line end after code belongs to the fence. */
@@ -99,7 +102,7 @@ enter_block (Writer *writer, cmark_node *node)
     return TRUE;
   case CMARK_NODE_THEMATIC_BREAK:
     begin_block (writer, node);
-    g_string_append (writer->text, "⁂");
+    write_literal (writer, "⁂");
     return TRUE;
   case CMARK_NODE_LIST:
     begin_list (writer, node);
@@ -165,7 +168,7 @@ leave (Writer *writer, cmark_node *node)
 static char *
 convert (const char *commonmark, gboolean has_markup)
 {
-  Writer writer = { g_string_new (NULL), has_markup,
+  Writer writer = { g_string_new (NULL), has_markup, FALSE,
                     g_array_new (FALSE, FALSE, sizeof (int)) };
   cmark_node *document = cmark_parse_document (commonmark, strlen (commonmark),
                                                CMARK_OPT_DEFAULT);
