@@ -342,8 +342,10 @@ test_labels_are_left_out (void)
   int i, n_placed = 0;
 
   for (i = 0; i < N; i++) {
+    const int row = i / 8;
+
     labels[i] = (Label){ .text = "s1",
-                         .at = { 40 + i % 8, 40 + i / 8 },
+                         .at = { 40 + i % 8, 40 + row },
                          .reach = 5,
                          .width = 24,
                          .height = 14,

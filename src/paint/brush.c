@@ -61,16 +61,19 @@ hatch (cairo_t *cr,
 {
   const double slope = slope_and_step[0];
   const double step = slope_and_step[1] * sqrt (2);
-  double low = INFINITY, high = -INFINITY, level;
+  double low = INFINITY, high = -INFINITY;
   Pixel ends[2];
+  int64_t stroke;
   uint32_t i;
 
   for (i = 0; i < n; i++) {
     low = fmin (low, slope * corners[i].x + corners[i].y);
     high = fmax (high, slope * corners[i].x + corners[i].y);
   }
-  for (level = ceil (low / step) * step; level < high; level += step)
-    if (hatch_stroke (corners, n, (double[2]){ slope, level }, ends)) {
+  for (stroke = (int64_t)ceil (low / step); step * (double)stroke < high;
+       stroke++)
+    if (hatch_stroke (corners, n, (double[2]){ slope, step * (double)stroke },
+                      ends)) {
       cairo_move_to (cr, ends[0].x, ends[0].y);
       cairo_line_to (cr, ends[1].x, ends[1].y);
     }

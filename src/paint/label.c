@@ -85,12 +85,16 @@ label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px)
 void
 label_sheet_mark (LabelSheet *sheet, Pixel at, double reach)
 {
-  double x, y;
+  const int cells = (int)ceil (reach / CELL);
+  int column, row;
 
-  for (y = -reach; y <= reach; y += CELL)
-    for (x = -reach; x <= reach; x += CELL)
+  for (row = -cells; row <= cells; row++)
+    for (column = -cells; column <= cells; column++) {
+      const double x = CELL * column, y = CELL * row;
+
       if (x * x + y * y <= reach * reach)
         spill (sheet, at.x + x, at.y + y, INK_MARK);
+    }
 }
 
 /* A label's rectangle in cells, within the sheet. */
