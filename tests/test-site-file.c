@@ -112,7 +112,7 @@ test_bytes_that_are_no_text_are_refused (void)
   assert_refused ("1 2\n1 \x01 2\n", 2);
   assert_refused ("1 2\n# \x1b[31m\n", 2);
   assert_refused ("1\v2\n", 1);
-  assert_refused ("1 2\x7f\n", 1);
+  assert_refused ("1 2\n# \x7f\n", 2);
   assert_refused ("1 2\r3 4\r", 1);
   assert_refused ("1 2\n3 4\r", 2);
   assert_refused ("1 2\r\r\n", 1);

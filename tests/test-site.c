@@ -107,6 +107,18 @@ test_spread_that_no_scaling_fits_is_refused (void)
 }
 
 static void
+test_limit_of_the_spread_is_the_range_twice (void)
+{
+  const Site within[] = { { ldexp (1.9, 500), 0 }, { 0, ldexp (1, 210) } };
+  const Site beyond[] = { { ldexp (1, 500), 0 }, { ldexp (1.9, 209), 0 } };
+  SiteSet *set = site_set_new (within, 2);
+
+  g_assert_nonnull (set);
+  g_assert_null (site_set_new (beyond, 2));
+  site_set_free (set);
+}
+
+static void
 test_coordinates_that_are_not_finite_are_refused (void)
 {
   g_assert_null (site_set_new (&(Site){ (double)NAN, 0 }, 1));
@@ -156,6 +168,8 @@ main (int argc, char **argv)
                    test_extreme_coordinates_are_scaled_exactly);
   g_test_add_func ("/site/spread-that-no-scaling-fits-is-refused",
                    test_spread_that_no_scaling_fits_is_refused);
+  g_test_add_func ("/site/limit-of-the-spread-is-the-range-twice",
+                   test_limit_of_the_spread_is_the_range_twice);
   g_test_add_func ("/site/coordinates-that-are-not-finite-are-refused",
                    test_coordinates_that_are_not_finite_are_refused);
   g_test_add_func ("/site/extent-is-the-smallest-square",

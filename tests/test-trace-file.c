@@ -219,6 +219,10 @@ static const BadLine bad_lines[] = {
   { 15, "horizon s0 s3 f3", 16 },
   { 16, "horizon s3 s0 f3", 16 },
   { 17, "horizon s2 s1 f0", 17 },
+  { 19,
+    "horizon s1 s0 f0\nhorizon s0 s3 f3\nhorizon s3 s2 f3\n"
+    "horizon s2 s1 f0\nhorizon s1 s0 f0",
+    24 }, /* twice round */
   { 20, "cone f4 s3 s2 s4", 20 },
   { 20, "cone f5 s0 s3 s4", 20 },
   { 20, "cone f4 s0 s3 s2", 20 },
