@@ -207,7 +207,7 @@ document_write (const char *path,
   if (stat (target, &status) == 0) {
     if (!S_ISREG (status.st_mode))
       return write_through (path, bytes, length, error);
-    mode = status.st_mode & 07777;
+    mode = (int)(status.st_mode & 07777);
   }
   if (g_file_set_contents_full (target, bytes, (gssize)length,
                                 G_FILE_SET_CONTENTS_CONSISTENT

@@ -90,8 +90,10 @@ generator_grid (guint width, guint height, GError **error)
     return NULL;
   sites = g_new (Site, n);
   for (guint i = 0; i < n; i++) {
-    sites[i].x = ldexp (2.0 * (i % width) - (width - 1.0), exponent);
-    sites[i].y = ldexp (2.0 * (i / width) - (height - 1.0), exponent);
+    const guint column = i % width, row = i / width;
+
+    sites[i].x = ldexp (2.0 * column - (width - 1.0), exponent);
+    sites[i].y = ldexp (2.0 * row - (height - 1.0), exponent);
   }
   return sites;
 }
