@@ -93,10 +93,20 @@ add_outline (Board *board, const Panel *panel, guint page, double y)
                                  panel->title, link, 0);
 }
 
+static double
+header_height (const Board *board, guint page)
+{
+  const Lesson *lesson = session_get_lesson (board->session);
+  const gboolean has_prose
+      = lesson != NULL && lesson->prose != NULL && lesson->prose[0] != '\0';
+
+  return page == 0 && has_prose ? FIRST_HEADER : HEADER;
+}
+
 static void
 paint_page (Board *board, guint page)
 {
-  const double top = MARGIN + (page == 0 ? FIRST_HEADER : HEADER);
+  const double top = MARGIN + header_height (board, page);
   const double room = PAGE_HEIGHT - MARGIN - FOOTER - top;
   const double height = (room - (PER_PAGE - 1) * GAP) / PER_PAGE;
   guint i;
