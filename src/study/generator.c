@@ -12,12 +12,13 @@ G_DEFINE_QUARK (generator - error - quark, generator_error)
 static gboolean
 check_count (guint64 n, guint most, GError **error)
 {
+  g_autofree char *wanted = g_strdup_printf ("%" G_GUINT64_FORMAT, n);
+
   if (n >= 1 && n <= most)
     return TRUE;
   g_set_error (error, GENERATOR_ERROR, GENERATOR_ERROR_COUNT,
-               _ ("there is no such set of %" G_GUINT64_FORMAT
-                  " sites; the nearest has %u"),
-               n, n < 1 ? 1 : most);
+               _ ("there is no such set of %s sites; the nearest has %u"),
+               wanted, n < 1 ? 1 : most);
   return FALSE;
 }
 
