@@ -196,7 +196,7 @@ test_bytes_that_are_no_text_are_refused (void)
     gsize length;
     const char *message;
   } rows[] = {
-#define BYTES(text) text, sizeof text - 1
+#define BYTES(text) (text), sizeof (text) - 1
     { BYTES ("# T\0\n"), "l.md:1:4: a zero byte" },
     { BYTES ("# T\n\xFF\n"), "l.md:2:1: this is not UTF-8" },
     { BYTES ("# \xC0\xAF\n"), "l.md:1:3: this is not UTF-8" },
@@ -325,7 +325,7 @@ test_no_flipped_bit_crashes (void)
     for (guint bit = 0; bit < 8; bit++) {
       g_autofree char *text = g_strdup (whole);
 
-      text[i] ^= (char)(1 << bit);
+      ((guchar *)text)[i] ^= (guchar)(1u << bit);
       parse_anything (text, sizeof whole - 1);
     }
 }
