@@ -88,6 +88,8 @@ static const Row refusals[] = {
     "five.txt: there is no round 5: the last is 1\n" },
   { "compute --round 0 square.txt", 1, "square.txt: there is no round 0: " },
   { "trace bad.txt", 1, "bad.txt:2: " },
+  { "compute /dev/zero", 1, "/dev/zero:1: " },
+  { "replay /dev/zero", 2, "/dev/zero:1:1: " },
   { "export -o a.svg bad.txt", 1, "bad.txt:2: " },
   { "export --event 99 -o a.svg five.txt", 1, "five.txt: there is no event" },
   { "export --round 2 -o a.svg five.txt", 1, "five.txt: there is no round 2" },

@@ -1,4 +1,5 @@
 /* A session at the stops of a lesson. */
+#include "object-name.h"
 #include "session.h"
 
 #include <string.h>
@@ -67,14 +68,16 @@ look_of (Session *session)
 {
   const SceneLook *look = session_get_look (session);
   const Camera *camera = session_get_camera (session);
+  char selection[OBJECT_NAME_ROOM];
 
+  object_name_write (look->selection, selection);
   return g_strdup_printf (
-      "stop %u, %u sites, step %u, layers %x, focus %u, "
-      "selection %u %u, camera %g %g %g %g %d",
+      "stop %u, %u sites, step %u, layers %x, focus %s, "
+      "selection %s, camera %g %g %g %g %d",
       session_get_stop (session), session_get_set (session)->n_sites,
-      session_get_step (session), look->layers, look->focus,
-      look->selection.kind, look->selection.number, camera->turn.w,
-      camera->turn.x, camera->turn.y, camera->turn.z, camera->is_parallel);
+      session_get_step (session), look->layers, focus_name (look->focus),
+      selection, camera->turn.w, camera->turn.x, camera->turn.y, camera->turn.z,
+      camera->is_parallel);
 }
 
 static guint
@@ -297,6 +300,28 @@ test_a_stop_is_told_once (void)
                        | CHANGED_LESSON);
 }
 
+/* A lesson whose first stop is not at the start of time. */
+static void
+test_next_from_before_the_first_stop_leads_to_it (void)
+{
+  static const char late[] = "# T\n\n```lesson\nformat 1\nsites grid 3 3\n"
+                             "```\n\n## S\n\n```steps\ngoto round 1\n```\n";
+  g_autoptr (Session) session = session_new ();
+  g_autoptr (Lesson) lesson = lesson_parse (late, strlen (late), "l.md", NULL);
+  guint step;
+
+  session_set_lesson (session, lesson);
+  step = session_get_step (session);
+  g_assert_cmpuint (step, >, 0);
+  session_first (session);
+  g_assert_cmpuint (session_get_step (session), ==, 0);
+  g_assert_true (session_can_next (session));
+  g_assert_true (session_next (session));
+  g_assert_cmpuint (session_get_step (session), ==, step);
+  g_assert_false (session_can_next (session));
+  g_assert_false (session_next (session));
+}
+
 static void
 test_a_lesson_outlives_its_first_owner (void)
 {
@@ -352,6 +377,8 @@ static const struct {
   { "/stops/stops-with-other-sites-have-no-mark",
     test_stops_with_other_sites_have_no_mark },
   { "/stops/a-stop-is-told-once", test_a_stop_is_told_once },
+  { "/stops/next-from-before-the-first-stop-leads-to-it",
+    test_next_from_before_the_first_stop_leads_to_it },
   { "/stops/a-lesson-outlives-its-first-owner",
     test_a_lesson_outlives_its_first_owner },
   { "/stops/playing-a-lesson-goes-from-stop-to-stop",

@@ -1,5 +1,6 @@
 #include "cli.h"
 
+#include "config.h"
 #include "document.h"
 #include "lesson.h"
 
@@ -74,6 +75,7 @@ cli_parse (const CliCommand *command,
   g_autofree char *name = g_strdup_printf ("hull2vd-cli %s", command->name);
 
   g_set_prgname (name);
+  g_option_context_set_translation_domain (context, GETTEXT_PACKAGE);
   g_option_context_set_summary (context, _ (command->sentence));
   if (options != NULL)
     g_option_context_add_main_entries (context, options, NULL);

@@ -73,31 +73,17 @@ ACTION_STATE (action_state_selection)
   return g_variant_new_string (name);
 }
 
-/* Whether next and back go by the stops of a lesson. */
-static gboolean
-goes_by_stops (const Action *action, Session *session)
-{
-  return action->data == 0 && session_get_lesson (session) != NULL
-         && session_get_step_size (session) == STEP_BEAT;
-}
-
 ACTION_ENABLED (action_can_next)
 {
-  return goes_by_stops (action, session)
-             ? action_can_next_stop (action, session)
+  return action->data == 0
+             ? session_can_next (session)
              : session_get_step (session) < session_get_n_steps (session);
 }
 
 ACTION_ENABLED (action_can_back)
 {
-  guint step;
-
-  if (!goes_by_stops (action, session))
-    return session_get_step (session) > 0;
-  /* Beyond a stop, back leads to that stop. */
-  return session_get_stop (session) > 0
-         || !session_get_stop_step (session, 0, &step)
-         || step != session_get_step (session);
+  return action->data == 0 ? session_can_back (session)
+                           : session_get_step (session) > 0;
 }
 
 ACTION_ENABLED (action_can_play) { return session_get_n_steps (session) > 0; }

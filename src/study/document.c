@@ -51,7 +51,8 @@ refuse_file (DocumentError code, const char *path, int reason, GError **error)
   return FALSE;
 }
 
-/* Reads to the end of @file, however long it is. */
+/* Reads to the end of @file, however long it is; a zero byte ends it too,
+ * since the parser refuses it. */
 static char *
 read_stream (FILE *file, gsize *length)
 {
@@ -59,8 +60,11 @@ read_stream (FILE *file, gsize *length)
   char bytes[1 << 16];
   gsize n;
 
-  while ((n = fread (bytes, 1, sizeof bytes, file)) > 0)
+  while ((n = fread (bytes, 1, sizeof bytes, file)) > 0) {
     g_string_append_len (text, bytes, (gssize)n);
+    if (memchr (bytes, '\0', n) != NULL)
+      break;
+  }
   *length = text->len;
   return g_string_free (text, FALSE);
 }

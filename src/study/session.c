@@ -220,38 +220,71 @@ grain_of (StepSize size)
   return GRAIN_EVENT;
 }
 
-gboolean
-session_next (Session *session)
+static gboolean
+goes_by_stops (Session *session)
 {
-  const guint step = session->step;
-
-  if (session->step_size == STEP_BEAT && session->lesson != NULL)
-    return session_set_stop (session, session->stop + 1);
-  if (step == session->run->trace->n_events)
-    return FALSE;
-  session_set_step (session, timeline_next (session->run->trace, step,
-                                            grain_of (session->step_size)));
-  return TRUE;
+  return session->step_size == STEP_BEAT && session->lesson != NULL;
 }
 
-/* Back from what was looked at beyond a stop leads to that stop first. */
-static gboolean
-previous_stop (Session *session)
+/* Forwards from before a stop leads to that stop first. */
+static guint
+stop_after (Session *session)
 {
   guint step;
 
-  if (session_get_stop_step (session, session->stop, &step)
-      && step == session->step)
-    return session->stop > 0 && session_set_stop (session, session->stop - 1);
-  return session_set_stop (session, session->stop);
+  return session_get_stop_step (session, session->stop, &step)
+                 && session->step < step
+             ? session->stop
+             : session->stop + 1;
+}
+
+/* Backwards from what was looked at beyond a stop leads to that stop first;
+ * the number before 0 is larger than any. */
+static guint
+stop_before (Session *session)
+{
+  guint step;
+
+  return session_get_stop_step (session, session->stop, &step)
+                 && session->step <= step
+             ? session->stop - 1
+             : session->stop;
+}
+
+gboolean
+session_can_next (Session *session)
+{
+  return goes_by_stops (session)
+             ? stop_after (session) < session_get_n_stops (session)
+             : session->step < session->run->trace->n_events;
+}
+
+gboolean
+session_can_back (Session *session)
+{
+  return goes_by_stops (session)
+             ? stop_before (session) < session_get_n_stops (session)
+             : session->step > 0;
+}
+
+gboolean
+session_next (Session *session)
+{
+  if (goes_by_stops (session))
+    return session_set_stop (session, stop_after (session));
+  if (!session_can_next (session))
+    return FALSE;
+  session_set_step (session, timeline_next (session->run->trace, session->step,
+                                            grain_of (session->step_size)));
+  return TRUE;
 }
 
 gboolean
 session_back (Session *session)
 {
-  if (session->step_size == STEP_BEAT && session->lesson != NULL)
-    return previous_stop (session);
-  if (session->step == 0)
+  if (goes_by_stops (session))
+    return session_set_stop (session, stop_before (session));
+  if (!session_can_back (session))
     return FALSE;
   session_set_step (session, timeline_back (session->run->trace, session->step,
                                             grain_of (session->step_size)));
@@ -278,14 +311,6 @@ session_last (Session *session)
   session_release (session);
 }
 
-static gboolean
-is_at_end (Session *session)
-{
-  if (session->step_size == STEP_BEAT && session->lesson != NULL)
-    return session->stop + 1 == session_get_n_stops (session);
-  return session->step == session->run->trace->n_events;
-}
-
 gboolean
 session_get_playing (Session *session)
 {
@@ -299,7 +324,7 @@ session_set_playing (Session *session, gboolean playing)
     return;
   session_hold (session);
   session->is_playing = playing;
-  if (playing && is_at_end (session))
+  if (playing && !session_can_next (session))
     session_first (session);
   session_tell (session, CHANGED_PLAY);
   session_release (session);
@@ -342,7 +367,7 @@ session_tick (Session *session)
   if (!session->is_playing)
     return;
   session_hold (session);
-  if (!session_next (session) || is_at_end (session))
+  if (!session_next (session) || !session_can_next (session))
     session_set_playing (session, FALSE);
   session_release (session);
 }

@@ -104,6 +104,8 @@ void session_set_step_size (Session *session, StepSize size);
  * Returns: FALSE at the end (the start). */
 gboolean session_next (Session *session);
 gboolean session_back (Session *session);
+gboolean session_can_next (Session *session);
+gboolean session_can_back (Session *session);
 
 /* The very start and end; in a lesson, with its first and last stop. */
 void session_first (Session *session);
