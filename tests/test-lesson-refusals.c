@@ -256,8 +256,11 @@ static const Large large[] = {
   { STOP, "1. ", 60000, "x\n", "l.md:10:1: nested too deeply" },
   { STOP, "+ ", 60000, "\n", "l.md:10:1: nested too deeply" },
   { STOP, "![[]()\n", 1 << 20, "", "l.md:5010:" },
-  { STOP, "[", 60000, "\n", "l.md:10:10001: more than 10000 brackets" },
-  { STOP, "1.\n", 1 << 20, "", "l.md:10:1: a text longer than 16 KB" },
+  { STOP, "[", 60000, "\n", "l.md:10:10001: too many marks" },
+  { STOP, "1.\n", 1 << 19, "", "l.md:10:1: a text longer than 16 KB" },
+  { STOP, "a\n", 1 << 20, "", "l.md:200001:1: more than 200000 lines" },
+  { STOP, "*a*\n", 1 << 20, "", "l.md:50007:1: too many marks" },
+  { HEAD, "## S\n", 1 << 16, "", "l.md:1008:1: more than 1000 stops" },
   { STOP, "*a **b `c ", 60000, "\n", "l.md:10:1: a text longer than 16 KB" },
   { STOP, "<a ", 60000, "\n", "l.md:10:1: a text longer than 16 KB" },
 };

@@ -181,6 +181,8 @@ begin_stop (Reader *reader, cmark_node *heading, GError **error)
   if (reader->lesson_line == 0)
     return blame (reader, line_of (heading), error,
                   _ ("the lesson block must stand before the first stop"));
+  if (reader->lesson->stops->len == LESSON_MAX_STOPS)
+    return blame (reader, line_of (heading), error, _ ("more than 1000 stops"));
   end_text (reader);
   reader->stop = g_new0 (LessonStop, 1);
   reader->stop->line = line_of (heading);

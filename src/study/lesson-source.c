@@ -5,9 +5,12 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-/* No prose needs more; beyond, libcmark's time grows with the square. */
+/* No lesson needs more; beyond, the time that libcmark takes grows with the
+ * square, and its memory beyond measure. */
 #define MAX_NESTING_BYTES 100
+#define MAX_LINES 200000
 #define MAX_BRACKETS 10000
+#define MAX_MARKS 100000
 
 char *
 display_path (const char *path)
@@ -47,7 +50,7 @@ typedef struct Cursor {
   const LessonSource *source;
   const char *line; /* begin of the line */
   guint number;     /* of the line, from 1 */
-  guint n_brackets;
+  guint n_brackets, n_marks;
 } Cursor;
 
 static gboolean
@@ -119,6 +122,16 @@ nesting_bytes (const char *line, gsize length)
   return n;
 }
 
+/* Returns: FALSE when there are too many characters that mean something in
+ * CommonMark. */
+static gboolean
+count_mark (Cursor *cursor, char character)
+{
+  cursor->n_brackets += character == '[' ? 1 : 0;
+  cursor->n_marks += strchr ("[]!*_`<&\\", character) != NULL ? 1 : 0;
+  return cursor->n_brackets <= MAX_BRACKETS && cursor->n_marks <= MAX_MARKS;
+}
+
 /* Checks a line of @length bytes without its line end. */
 static gboolean
 check_line (Cursor *cursor, gsize length, GError **error)
@@ -126,6 +139,8 @@ check_line (Cursor *cursor, gsize length, GError **error)
   const char *end = cursor->line + length;
   const char *fault;
 
+  if (cursor->number > MAX_LINES)
+    return blame_at (cursor, cursor->line, error, _ ("more than 200000 lines"));
   if (length > LESSON_MAX_LINE)
     return blame_at (cursor, cursor->line, error,
                      _ ("a line longer than 64 KB"));
@@ -133,9 +148,10 @@ check_line (Cursor *cursor, gsize length, GError **error)
     fault = character_fault (at, end);
     if (fault != NULL)
       return blame_at (cursor, at, error, fault);
-    cursor->n_brackets += *at == '[' ? 1 : 0;
-    if (cursor->n_brackets > MAX_BRACKETS)
-      return blame_at (cursor, at, error, _ ("more than 10000 brackets"));
+    if (!count_mark (cursor, *at))
+      return blame_at (cursor, at, error,
+                       _ ("too many marks: 10000 opening brackets, 100000 of "
+                          "all marks at most"));
   }
   if (nesting_bytes (cursor->line, length) > MAX_NESTING_BYTES)
     return blame_at (cursor, cursor->line, error, _ ("nested too deeply"));
@@ -149,7 +165,7 @@ check_lines (LessonSource *source,
              gsize length,
              GError **error)
 {
-  Cursor cursor = { source, text, 0, 0 };
+  Cursor cursor = { source, text, 0, 0, 0 };
   const char *end = text + length;
   char *copy = source->text;
 

@@ -19,6 +19,7 @@ G_BEGIN_DECLS
 #define LESSON_MAX_BYTES (4 << 20)
 #define LESSON_MAX_LINE (64 << 10)
 #define LESSON_MAX_COMMANDS 100000
+#define LESSON_MAX_STOPS 1000
 #define LESSON_MAX_SITES 20000 /* of all the sets it makes, together */
 
 /* What a session is at a stop: sites, step, look. Opaque; see stop-state.h. */
