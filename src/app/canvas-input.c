@@ -22,6 +22,7 @@ typedef struct CanvasInput {
   int n_presses;     /* in quick succession */
   double last_px[2];
   double pinch_scale;
+  const char *pointer; /* name of its shape */
 } CanvasInput;
 
 static CanvasInput *
@@ -196,15 +197,33 @@ on_scroll (GtkEventController *controller, double dx, double dy, Canvas *canvas)
 
 /* Hover */
 
+/* The pointer says what a press would do. */
+static void
+set_pointer (Canvas *canvas, const char *name)
+{
+  GdkWindow *window = gtk_widget_get_window (GTK_WIDGET (canvas));
+  CanvasInput *input = get_input (canvas);
+  g_autoptr (GdkCursor) cursor = NULL;
+
+  if (g_strcmp0 (input->pointer, name) == 0)
+    return;
+  input->pointer = name;
+  cursor = gdk_cursor_new_from_name (gdk_window_get_display (window), name);
+  gdk_window_set_cursor (window, cursor);
+}
+
 static void
 on_motion (GtkEventController *controller, double x, double y, Canvas *canvas)
 {
   const double at_px[2] = { x, y };
+  Object object;
 
   (void)controller;
-  if (get_input (canvas)->mode == DRAG_NONE)
-    session_set_hover (canvas_get_session (canvas),
-                       canvas_pick (canvas, at_px));
+  if (get_input (canvas)->mode != DRAG_NONE)
+    return;
+  object = canvas_pick (canvas, at_px);
+  set_pointer (canvas, get_class (canvas)->pointer (canvas, object, at_px));
+  session_set_hover (canvas_get_session (canvas), object);
 }
 
 static void

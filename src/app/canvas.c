@@ -17,6 +17,7 @@ typedef struct CanvasPrivate {
   Session *session;
   Scene scene;
   gboolean has_scene;
+  guint64 roles;            /* bit r: the scene has something of Role r */
   cairo_surface_t *picture; /* the painted scene, or NULL: to be painted */
   gboolean is_rough;        /* the picture was painted without antialiasing */
   gboolean is_moving;
@@ -45,16 +46,21 @@ canvas_get_session (Canvas *canvas)
   return priv (canvas)->session;
 }
 
+G_STATIC_ASSERT (N_ROLES <= 64);
+
 /* The scene of the session as it is, built when first asked for. */
 static const Scene *
 canvas_get_scene (Canvas *canvas)
 {
   CanvasPrivate *p = priv (canvas);
 
-  if (!p->has_scene) {
-    HULL2VD_CANVAS_GET_CLASS (canvas)->build_scene (canvas, &p->scene);
-    p->has_scene = TRUE;
-  }
+  if (p->has_scene)
+    return &p->scene;
+  HULL2VD_CANVAS_GET_CLASS (canvas)->build_scene (canvas, &p->scene);
+  p->has_scene = TRUE;
+  p->roles = 0;
+  for (guint i = 0; i < p->scene.n_items; i++)
+    p->roles |= G_GUINT64_CONSTANT (1) << p->scene.items[i].role;
   return &p->scene;
 }
 
@@ -88,12 +94,8 @@ canvas_pick (Canvas *canvas, const double at_px[2])
 gboolean
 canvas_has_role (Canvas *canvas, Role role)
 {
-  const Scene *scene = canvas_get_scene (canvas);
-
-  for (guint i = 0; i < scene->n_items; i++)
-    if (scene->items[i].role == role)
-      return TRUE;
-  return FALSE;
+  canvas_get_scene (canvas);
+  return (priv (canvas)->roles & (G_GUINT64_CONSTANT (1) << role)) != 0;
 }
 
 /* Where it is */

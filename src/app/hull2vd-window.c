@@ -168,8 +168,13 @@ hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
   if (focus_wants_key (gtk_window_get_focus (window), event)
       && gtk_window_propagate_key_event (window, event))
     return TRUE;
-  return GTK_WIDGET_CLASS (hull2vd_window_parent_class)
-      ->key_press_event (widget, event);
+  if (GTK_WIDGET_CLASS (hull2vd_window_parent_class)
+          ->key_press_event (widget, event))
+    return TRUE;
+  if (event->keyval != GDK_KEY_Escape)
+    return FALSE;
+  gtk_window_unfullscreen (window);
+  return TRUE;
 }
 
 /* Life */

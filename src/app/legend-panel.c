@@ -120,10 +120,16 @@ on_changed (Session *session, guint changes, LegendPanel *panel)
     update (panel);
 }
 
+/* On the pictures' own background, whatever the desktop's theme is. */
 static gboolean
 on_draw_swatch (GtkWidget *widget, cairo_t *cr, gpointer user)
 {
-  painter_swatch (cr, (Role)GPOINTER_TO_INT (user), theme_get (THEME_LIGHT),
+  const Theme *theme = theme_get (THEME_LIGHT);
+  const Colour ground = theme->background;
+
+  cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);
+  cairo_paint (cr);
+  painter_swatch (cr, (Role)GPOINTER_TO_INT (user), theme,
                   gtk_widget_get_allocated_width (widget),
                   gtk_widget_get_allocated_height (widget));
   return TRUE;

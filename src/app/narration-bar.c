@@ -67,12 +67,25 @@ announce (NarrationBar *bar, const char *sentence)
     g_signal_emit_by_name (accessible, "announcement", sentence);
 }
 
+/* The desktop's theme says what text is read on. */
+static Colour
+get_background (NarrationBar *bar)
+{
+  GtkStyleContext *style = gtk_widget_get_style_context (GTK_WIDGET (bar));
+  GdkRGBA base;
+
+  if (!gtk_style_context_lookup_color (style, "theme_base_color", &base))
+    return theme_get (THEME_LIGHT)->background;
+  return (Colour){ base.red, base.green, base.blue, 1 };
+}
+
 static void
 update (NarrationBar *bar)
 {
   g_autofree char *sentence = session_narrate (bar->session);
-  g_autofree char *markup = narration_to_markup (
-      sentence, session_get_frame (bar->session), theme_get (THEME_LIGHT));
+  g_autofree char *markup
+      = narration_to_markup (sentence, session_get_frame (bar->session),
+                             theme_get (THEME_LIGHT), get_background (bar));
   g_autofree char *place = place_text (bar->session);
 
   gtk_label_set_markup (bar->sentence, markup);
@@ -85,6 +98,16 @@ on_changed (Session *session, guint changes, NarrationBar *bar)
 {
   (void)session;
   if (changes & (CHANGED_SITES | CHANGED_STEP))
+    update (bar);
+}
+
+static void
+narration_bar_style_updated (GtkWidget *widget)
+{
+  NarrationBar *bar = HULL2VD_NARRATION_BAR (widget);
+
+  GTK_WIDGET_CLASS (narration_bar_parent_class)->style_updated (widget);
+  if (bar->session != NULL)
     update (bar);
 }
 
@@ -113,6 +136,7 @@ narration_bar_class_init (NarrationBarClass *class)
   GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
 
   G_OBJECT_CLASS (class)->dispose = narration_bar_dispose;
+  widget_class->style_updated = narration_bar_style_updated;
   gtk_widget_class_set_template_from_resource (
       widget_class, "/io/github/hull2vd/Hull2VD/narration-bar.ui");
   gtk_widget_class_bind_template_child (widget_class, NarrationBar, sentence);

@@ -19,35 +19,46 @@ static const KeyWord key_words[] = {
   { N_ ("cone"), ROLE_CONE },
 };
 
-/* The colour of a role, darkened until text of it can be read. */
+typedef struct Markup {
+  const Frame *frame;
+  const Theme *theme;
+  Colour background;
+} Markup;
+
+/* The colour of a role, mixed with black or white until it can be read. */
 static Colour
-text_colour (const Theme *theme, Role role)
+text_colour (const Markup *markup, Role role)
 {
-  const Style *style = &theme->styles[role];
+  const Colour black = { 0, 0, 0, 1 };
+  const Colour white = { 1, 1, 1, 1 };
+  const Colour ground = markup->background;
+  const Colour far
+      = colour_contrast (ground, black) > colour_contrast (ground, white)
+            ? black
+            : white;
+  const Style *style = &markup->theme->styles[role];
   Colour colour = style->line.alpha > 0 ? style->line : style->fill;
 
   colour.alpha = 1;
   for (int i = 0; i < 20; i++) {
-    if (colour_contrast (colour, theme->background) >= TEXT_CONTRAST)
+    if (colour_contrast (colour, ground) >= TEXT_CONTRAST)
       break;
-    colour.red *= 0.93;
-    colour.green *= 0.93;
-    colour.blue *= 0.93;
+    colour = colour_mix (colour, far, 0.1);
   }
   return colour;
 }
 
 static void
-append_bold (GString *markup, const char *text, const Theme *theme, int role)
+append_bold (GString *result, const char *text, const Markup *markup, int role)
 {
   Colour colour;
 
   if (role < 0) {
-    g_string_append_printf (markup, "<b>%s</b>", text);
+    g_string_append_printf (result, "<b>%s</b>", text);
     return;
   }
-  colour = text_colour (theme, (Role)role);
-  g_string_append_printf (markup,
+  colour = text_colour (markup, (Role)role);
+  g_string_append_printf (result,
                           "<span weight=\"bold\" color=\"#%02lx%02lx%02lx\">"
                           "%s</span>",
                           (unsigned long)lround (255 * colour.red),
@@ -69,18 +80,13 @@ role_of (const char *word, const Frame *frame)
   return -1;
 }
 
-typedef struct Markup {
-  const Frame *frame;
-  const Theme *theme;
-} Markup;
-
 static gboolean
 on_word (const GMatchInfo *match, GString *result, gpointer user)
 {
   const Markup *markup = user;
   g_autofree char *word = g_match_info_fetch (match, 0);
 
-  append_bold (result, word, markup->theme, role_of (word, markup->frame));
+  append_bold (result, word, markup, role_of (word, markup->frame));
   return FALSE;
 }
 
@@ -101,9 +107,10 @@ make_regex (void)
 char *
 narration_to_markup (const char *sentence,
                      const Frame *frame,
-                     const Theme *theme)
+                     const Theme *theme,
+                     Colour background)
 {
-  Markup markup = { frame, theme };
+  Markup markup = { frame, theme, background };
   g_autofree char *escaped = g_markup_escape_text (sentence, -1);
   g_autoptr (GRegex) regex = make_regex ();
   char *result = NULL;

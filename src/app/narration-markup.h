@@ -11,10 +11,11 @@
 G_BEGIN_DECLS
 
 /* Returns: (transfer full): Pango markup of @sentence, the narration of
- *          @frame. */
+ *          @frame, to be read on @background. */
 char *narration_to_markup (const char *sentence,
                            const Frame *frame,
-                           const Theme *theme);
+                           const Theme *theme,
+                           Colour background);
 
 G_END_DECLS
 

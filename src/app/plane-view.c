@@ -175,6 +175,20 @@ plane_view_drag_end (Canvas *canvas)
   session_end_edit (canvas_get_session (canvas));
 }
 
+static const char *
+plane_view_pointer (Canvas *canvas, Object object, const double at_px[2])
+{
+  const CanvasPress press
+      = { .object = object, .at_px = { at_px[0], at_px[1] } };
+  double grip_px[2];
+
+  if (is_on_site (canvas, &press, grip_px))
+    return "grab";
+  if (object.kind == OBJECT_NONE || object.kind == OBJECT_SITE)
+    return "crosshair"; /* a click adds a site */
+  return "pointer";
+}
+
 /* Keyboard */
 
 static gboolean
@@ -246,6 +260,7 @@ plane_view_class_init (PlaneViewClass *class)
   canvas_class->drag_begin = plane_view_drag_begin;
   canvas_class->drag = plane_view_drag;
   canvas_class->drag_end = plane_view_drag_end;
+  canvas_class->pointer = plane_view_pointer;
   canvas_class->key = plane_view_key;
   canvas_class->count_objects = plane_view_count_objects;
   canvas_class->get_object = plane_view_get_object;

@@ -7,6 +7,7 @@
 #define TICK_PX 6.0
 #define LABEL_PX 34.0
 #define WIDE_LABEL_PX 64.0
+#define DOT_REACH_PX 5.0
 
 struct _Scrubber {
   GtkScale parent_instance;
@@ -160,6 +161,61 @@ scrubber_set_session (Scrubber *scrubber, Session *session)
   make_marks (scrubber);
 }
 
+/* Tooltip: the stop or the round that is under the pointer. */
+
+/* Returns: the stop whose dot is within its reach of @x, or G_MAXUINT. */
+static guint
+stop_near (Scrubber *scrubber, double x, double px_per_step)
+{
+  const guint n_stops = session_get_n_stops (scrubber->session);
+  guint step;
+
+  for (guint i = 0; i < n_stops; i++)
+    if (session_get_stop_step (scrubber->session, i, &step)
+        && fabs (step * px_per_step - x) <= DOT_REACH_PX)
+      return i;
+  return G_MAXUINT;
+}
+
+static char *
+tooltip_at (Scrubber *scrubber, double x, double px_per_step)
+{
+  const Trace *trace = session_get_trace (scrubber->session);
+  const guint stop = stop_near (scrubber, x, px_per_step);
+  const guint step = (guint)CLAMP (x / px_per_step, 0, trace->n_events);
+  Place place;
+
+  if (stop != G_MAXUINT)
+    return g_strdup_printf (
+        _ ("Stop %u: %s"), stop + 1,
+        lesson_stop (session_get_lesson (scrubber->session), stop)->title);
+  place = timeline_place (trace, step);
+  if (place.round == 0)
+    return g_strdup_printf (_ ("Event %u"), step);
+  return g_strdup_printf (_ ("Event %u, round %u"), step, place.round);
+}
+
+static gboolean
+scrubber_query_tooltip (
+    GtkWidget *widget, int x, int y, gboolean is_keyboard, GtkTooltip *tooltip)
+{
+  Scrubber *scrubber = HULL2VD_SCRUBBER (widget);
+  g_autofree char *text = NULL;
+  GdkRectangle trough;
+  double px_per_step;
+
+  (void)y;
+  if (is_keyboard || scrubber->session == NULL)
+    return FALSE;
+  gtk_range_get_range_rect (GTK_RANGE (scrubber), &trough);
+  px_per_step
+      = trough.width
+        / (double)MAX (1, session_get_trace (scrubber->session)->n_events);
+  text = tooltip_at (scrubber, x - trough.x, px_per_step);
+  gtk_tooltip_set_text (tooltip, text);
+  return TRUE;
+}
+
 /* Life */
 
 static void
@@ -179,6 +235,7 @@ scrubber_class_init (ScrubberClass *class)
 {
   G_OBJECT_CLASS (class)->dispose = scrubber_dispose;
   GTK_WIDGET_CLASS (class)->size_allocate = scrubber_size_allocate;
+  GTK_WIDGET_CLASS (class)->query_tooltip = scrubber_query_tooltip;
 }
 
 static void
@@ -191,7 +248,7 @@ scrubber_init (Scrubber *scrubber)
   gtk_scale_set_draw_value (GTK_SCALE (scrubber), FALSE);
   gtk_scale_set_has_origin (GTK_SCALE (scrubber), TRUE);
   gtk_range_set_round_digits (GTK_RANGE (scrubber), 0);
-  gtk_widget_set_tooltip_text (widget, _ ("Go to any step"));
+  gtk_widget_set_has_tooltip (widget, TRUE);
   atk_object_set_name (gtk_widget_get_accessible (widget), _ ("Step"));
   g_signal_connect (scrubber, "value-changed", G_CALLBACK (on_value_changed),
                     NULL);

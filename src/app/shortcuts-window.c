@@ -31,21 +31,24 @@ group_of (const Action *action)
   return G_N_ELEMENTS (groups) - 1;
 }
 
+static GtkWidget *
+make_shortcut (const char *keys, const char *sentence)
+{
+  return gtk_widget_new (GTK_TYPE_SHORTCUTS_SHORTCUT, "visible", TRUE,
+                         "accelerator", keys, "title", sentence, NULL);
+}
+
 static void
 add_shortcut (GtkContainer *group, const char *keys, const char *sentence)
 {
-  GtkWidget *shortcut
-      = g_object_new (GTK_TYPE_SHORTCUTS_SHORTCUT, "visible", TRUE,
-                      "accelerator", keys, "title", sentence, NULL);
-
-  gtk_container_add (group, shortcut);
+  gtk_container_add (group, make_shortcut (keys, sentence));
 }
 
 static GtkWidget *
 add_group (GtkWidget *section, const char *title)
 {
-  GtkWidget *group = g_object_new (GTK_TYPE_SHORTCUTS_GROUP, "visible", TRUE,
-                                   "title", title, NULL);
+  GtkWidget *group = gtk_widget_new (GTK_TYPE_SHORTCUTS_GROUP, "visible", TRUE,
+                                     "title", title, NULL);
 
   gtk_container_add (GTK_CONTAINER (section), group);
   return group;
@@ -88,12 +91,18 @@ make_section (void)
   return section;
 }
 
+static GtkWidget *
+make_window (GtkWindow *parent)
+{
+  return gtk_widget_new (GTK_TYPE_SHORTCUTS_WINDOW, "modal", TRUE,
+                         "transient-for", parent, "destroy-with-parent", TRUE,
+                         NULL);
+}
+
 void
 shortcuts_window_show (GtkWindow *parent)
 {
-  GtkWidget *window
-      = g_object_new (GTK_TYPE_SHORTCUTS_WINDOW, "modal", TRUE, "transient-for",
-                      parent, "destroy-with-parent", TRUE, NULL);
+  GtkWidget *window = make_window (parent);
 
   gtk_container_add (GTK_CONTAINER (window), make_section ());
   gtk_widget_show (window);

@@ -114,6 +114,14 @@ space_view_drag_end (Canvas *canvas)
   (void)canvas;
 }
 
+static const char *
+space_view_pointer (Canvas *canvas, Object object, const double at_px[2])
+{
+  (void)canvas;
+  (void)at_px;
+  return object.kind == OBJECT_NONE ? "grab" : "pointer";
+}
+
 /* Keyboard */
 
 static gboolean
@@ -184,6 +192,7 @@ space_view_class_init (SpaceViewClass *class)
   canvas_class->drag_begin = space_view_drag_begin;
   canvas_class->drag = turn;
   canvas_class->drag_end = space_view_drag_end;
+  canvas_class->pointer = space_view_pointer;
   canvas_class->key = space_view_key;
   canvas_class->count_objects = space_view_count_objects;
   canvas_class->get_object = space_view_get_object;
