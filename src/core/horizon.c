@@ -5,6 +5,17 @@
 #include <assert.h>
 #include <stddef.h>
 
+/* Takes the outside set from a facet that will retire. */
+static void
+add_orphans (HullBuilder *b, HullFacet *row)
+{
+  if (b->n_orphans == b->orphans_room)
+    b->orphans = memory_grow (b->orphans, &b->orphans_room, b->n_orphans + 1,
+                              sizeof *b->orphans);
+  b->orphans[b->n_orphans++] = row->outside;
+  row->outside = INDEX_NONE;
+}
+
 static void
 add_visible (HullBuilder *b, uint32_t facet, uint32_t apex)
 {
@@ -15,6 +26,8 @@ add_visible (HullBuilder *b, uint32_t facet, uint32_t apex)
                               sizeof *b->visible);
   b->visible[b->n_visible++] = facet;
   row->mark = b->round;
+  if (row->outside != INDEX_NONE)
+    add_orphans (b, row);
   hull_tell (b, EVENT (EVENT_VISIBLE, facet, apex));
 }
 
@@ -32,12 +45,16 @@ horizon_collect_visible (HullBuilder *b, uint32_t facet, uint32_t apex)
   uint32_t i, k;
 
   b->n_visible = 0;
+  b->n_orphans = 0;
   add_visible (b, facet, apex);
   for (i = 0; i < b->n_visible; i++)
     for (k = 0; k < 3; k++) {
       const uint32_t neighbour = b->facets[b->visible[i]].across[k] >> 2;
 
-      if (!is_visible (b, neighbour) && hull_sees (b, apex, neighbour))
+      if (is_visible (b, neighbour))
+        continue;
+      b->counts.visibility_tests += 1;
+      if (hull_sees (b, apex, neighbour))
         add_visible (b, neighbour, apex);
     }
 }

@@ -2,53 +2,61 @@
 
 #include "hull-builder.h"
 #include "memory.h"
-#include "predicate.h"
 
-#include <assert.h>
 #include <float.h>
 #include <stdlib.h>
-#include <string.h>
 
-uint32_t
-hull_add_facet (HullBuilder *b, const uint32_t site[3])
+/* Numbers for the cone: new ones, or in the batch build those of the visible
+ * facets and two more. */
+static void
+number_cone (HullBuilder *b)
 {
-  const uint32_t facet = b->n_facets;
-  HullFacet *row;
+#ifdef HULL_BATCH
+  const uint32_t n_new = b->n_horizon - b->n_visible;
+  uint32_t i;
 
-  if (facet == b->facets_room)
-    b->facets = memory_grow (b->facets, &b->facets_room, facet + 1,
+  if (b->n_horizon > b->visible_room)
+    b->visible = memory_grow (b->visible, &b->visible_room, b->n_horizon,
+                              sizeof *b->visible);
+  for (i = 0; i < n_new; i++)
+    b->visible[b->n_visible + i] = b->n_facets + i;
+#else
+  const uint32_t n_new = b->n_horizon;
+#endif
+  b->first_cone = b->n_facets;
+  b->n_facets += n_new;
+  if (b->n_facets > b->facets_room)
+    b->facets = memory_grow (b->facets, &b->facets_room, b->n_facets,
                              sizeof *b->facets);
-  row = &b->facets[facet];
-  memcpy (row->site, site, sizeof row->site);
-  row->outside = INDEX_NONE;
-  row->mark = b->round;
-  b->n_facets += 1;
-  return facet;
 }
 
 /* Joins every horizon ridge to the apex by a facet. The ridges come in loop
- * order, so neighbours in the cone have neighbouring numbers. */
+ * order, so neighbours in the cone follow each other. */
 static void
 build_cone (HullBuilder *b, uint32_t apex)
 {
   const uint32_t n = b->n_horizon;
   uint32_t i;
 
-  b->first_cone = b->n_facets;
+  number_cone (b);
   for (i = 0; i < n; i++) {
-    const uint32_t tail = b->horizon[i].tail;
-    const uint32_t head = b->horizon[i + 1 < n ? i + 1 : 0].tail;
-    const HullEdge beyond = b->horizon[i].beyond;
-    const uint32_t facet
-        = hull_add_facet (b, (uint32_t[3]){ tail, head, apex });
-    HullFacet *row = &b->facets[facet];
+    const HorizonRidge *ridge = &b->horizon[i];
+    const uint32_t next = i + 1 < n ? i + 1 : 0;
+    const uint32_t previous = i > 0 ? i - 1 : n - 1;
+    const uint32_t head = b->horizon[next].tail;
+    const uint32_t facet = hull_cone_facet (b, i);
 
-    row->across[0] = beyond;
-    row->across[1] = (b->first_cone + (i + 1 < n ? i + 1 : 0)) << 2 | 2;
-    row->across[2] = (b->first_cone + (i > 0 ? i - 1 : n - 1)) << 2 | 1;
-    b->facets[beyond >> 2].across[beyond & 3] = facet << 2;
-    hull_tell (b, (Event){ EVENT_CONE, facet, apex, { tail, head } });
+    b->facets[facet]
+        = (HullFacet){ { ridge->tail, head, apex },
+                       { ridge->beyond, hull_cone_facet (b, next) << 2 | 2,
+                         hull_cone_facet (b, previous) << 2 | 1 },
+                       INDEX_NONE,
+                       b->round };
+    b->facets[ridge->beyond >> 2].across[ridge->beyond & 3] = facet << 2;
+    hull_tell (b, (Event){ EVENT_CONE, facet, apex, { ridge->tail, head } });
   }
+  b->near = hull_cone_facet (b, 0);
+  b->counts.facets_created += n;
 }
 
 static void
@@ -56,26 +64,17 @@ retire_visible (HullBuilder *b, uint32_t apex)
 {
   uint32_t i;
 
-  for (i = 0; i < b->n_visible; i++) {
+  for (i = 0; i < b->n_visible; i++)
     hull_tell (b, EVENT (EVENT_RETIRE, b->visible[i], apex));
-  }
 }
 
-static void
-tell_duplicates (const HullBuilder *b)
-{
-  uint32_t site;
-
-  for (site = 0; site < b->set->n_sites; site++)
-    if (b->set->first[site] != site)
-      hull_tell (b, EVENT (EVENT_DUPLICATE, INDEX_NONE, site));
-}
-
-static void
-build (HullBuilder *b)
+bool
+hull_run (HullBuilder *b)
 {
   uint32_t facet;
 
+  if (!simplex_find (b))
+    return false;
   simplex_build (b);
   outside_partition (b);
 
@@ -86,50 +85,53 @@ build (HullBuilder *b)
     horizon_collect (b, apex);
     build_cone (b, apex);
     retire_visible (b, apex);
-    outside_redistribute (b, apex);
+    hand_over (b, apex);
   }
+  return true;
 }
 
-static void
-clear (HullBuilder *b)
+void
+hull_clear (HullBuilder *b)
 {
-  free (b->facets);
-  free (b->next_outside);
   free (b->claimed_by);
-  free (b->list);
-  free (b->visible);
-  free (b->horizon);
+  free (b->next_outside);
   free (b->queue);
+  free (b->visible);
+  free (b->orphans);
+  free (b->horizon);
   free (b->planes);
 }
 
-/* Shewchuk 1997, iccerrboundA, is 10 half ulps and a little of the sum of the
- * terms' magnitudes, which is at most 12 side⁴. DBL_MIN is more than underflow
- * can take away. */
-static double
-doubt_of (const SiteSet *set)
-{
-  const double side = 2 * site_set_extent (set).radius;
+#ifndef HULL_BATCH
 
-  return 16 * (DBL_EPSILON / 2) * 12 * side * side * side * side + DBL_MIN;
+static void
+tell_duplicates (const HullBuilder *b)
+{
+  uint32_t site;
+
+  for (site = 0; site < b->n_sites; site++)
+    if (b->first[site] != site)
+      hull_tell (b, EVENT (EVENT_DUPLICATE, INDEX_NONE, site));
 }
 
 void
 hull_build (const SiteSet *set, const Order *order, const HullHook *hook)
 {
-  HullBuilder b = { .set = set, .sites = set->sites, .hook = hook };
-
-  b.doubt = doubt_of (set);
-  b.next_outside = memory_new (set->n_sites, sizeof *b.next_outside);
-  b.list = order_list (order, set);
-  if (b.list != NULL)
-    b.claimed_by = memory_new (set->n_sites, sizeof *b.claimed_by);
+  OrderList list = order_list (order, set->sites, set->n_sites);
+  HullBuilder b = { .sites = set->sites,
+                    .n_sites = set->n_sites,
+                    .first = set->first,
+                    .hook = hook,
+                    .list = list.sites,
+                    .n_listed = list.n_listed };
 
   tell_duplicates (&b);
-  if (simplex_find (&b))
-    build (&b);
-  else
+  if (!hull_run (&b))
     hull_tell (&b, EVENT (EVENT_FLAT, INDEX_NONE, INDEX_NONE));
   hull_tell (&b, EVENT (EVENT_COMPLETE, INDEX_NONE, INDEX_NONE));
-  clear (&b);
+  hull_clear (&b);
+  free (b.facets);
+  free (list.sites);
 }
+
+#endif

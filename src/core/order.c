@@ -1,7 +1,9 @@
 #include "order.h"
 
+#include "hilbert.h"
 #include "memory.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 uint64_t
@@ -30,35 +32,78 @@ shuffle (uint32_t *list, uint32_t n, uint64_t seed)
   }
 }
 
-uint32_t *
-order_list (const Order *order, const SiteSet *set)
-{
-  uint32_t *list;
+/* Every sixteenth site along the curve is enough to spread the outside sets,
+ * and few enough to cost little. */
+#define SAMPLE 16
 
-  if (order->kind == ORDER_FURTHEST)
-    return NULL;
-  list = memory_new (set->n_sites, sizeof *list);
-  for (uint32_t i = 0; i < set->n_sites; i += 1)
-    list[i] = i;
-  if (order->kind == ORDER_RANDOM)
-    shuffle (list, set->n_sites, order->seed);
+static uint32_t
+list_sample_first (const Site *sites, uint32_t n, uint32_t *list)
+{
+  uint32_t *curve = memory_new (n, sizeof *curve);
+  uint32_t n_listed = 0, next, i;
+
+  hilbert_sort (sites, n, curve);
+  for (i = 0; i < n; i += SAMPLE)
+    list[n_listed++] = curve[i];
+  next = n_listed;
+  for (i = 0; i < n; i++)
+    if (i % SAMPLE != 0)
+      list[next++] = curve[i];
+  free (curve);
+  return n_listed;
+}
+
+OrderList
+order_list (const Order *order, const Site *sites, uint32_t n_sites)
+{
+  OrderList list = { NULL, n_sites };
+  uint32_t i;
+
+  switch (order->kind) {
+  case ORDER_FURTHEST:
+    list.n_listed = 0;
+    return list;
+  case ORDER_INPUT:
+    return list;
+  case ORDER_RANDOM:
+  case ORDER_SEEDED:
+  case ORDER_HILBERT:
+    break;
+  }
+  list.sites = memory_new (n_sites, sizeof *list.sites);
+  if (order->kind == ORDER_HILBERT) {
+    hilbert_brio (sites, n_sites, list.sites);
+  } else if (order->kind == ORDER_SEEDED) {
+    list.n_listed = list_sample_first (sites, n_sites, list.sites);
+  } else {
+    for (i = 0; i < n_sites; i++)
+      list.sites[i] = i;
+    shuffle (list.sites, n_sites, order->seed);
+  }
   return list;
+}
+
+static const char *const kind_names[N_ORDERS] = {
+  [ORDER_FURTHEST] = "furthest", [ORDER_INPUT] = "input",
+  [ORDER_RANDOM] = "random",     [ORDER_SEEDED] = "seeded",
+  [ORDER_HILBERT] = "hilbert",
+};
+
+const char *
+order_kind_name (OrderKind kind)
+{
+  return kind_names[kind];
 }
 
 bool
 order_kind_parse (const char *name, OrderKind *kind)
 {
-  static const char *const names[] = {
-    [ORDER_FURTHEST] = "furthest",
-    [ORDER_INPUT] = "input",
-    [ORDER_RANDOM] = "random",
-  };
+  OrderKind i;
 
-  for (uint32_t i = 0; i < sizeof names / sizeof *names; i += 1) {
-    if (strcmp (name, names[i]) == 0) {
-      *kind = (OrderKind)i;
+  for (i = 0; i < N_ORDERS; i++)
+    if (strcmp (name, kind_names[i]) == 0) {
+      *kind = i;
       return true;
     }
-  }
   return false;
 }

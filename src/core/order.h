@@ -10,6 +10,8 @@ typedef enum OrderKind {
                      has an outside set */
   ORDER_INPUT,    /* the sites as they come */
   ORDER_RANDOM,   /* a shuffle that the seed decides */
+  ORDER_SEEDED,   /* a sample along a curve, then QuickHull */
+  ORDER_HILBERT,  /* rounds of growing samples, each along a curve */
 } OrderKind;
 
 typedef struct Order {
@@ -17,12 +19,21 @@ typedef struct Order {
   uint64_t seed; /* for ORDER_RANDOM */
 } Order;
 
-/* Returns: all sites of the set in the order of insertion, for the orders
- *          that do not look at the hull; free with free(). NULL for
- *          ORDER_FURTHEST. */
-uint32_t *order_list (const Order *order, const SiteSet *set);
+#define N_ORDERS (ORDER_HILBERT + 1)
 
-/* Returns: whether @name is an order's name ("furthest", "input", "random");
+/* The sites in the order of insertion: the first n_listed are inserted as
+ * listed, the others as the hull decides, furthest first. */
+typedef struct OrderList {
+  uint32_t *sites; /* all of them; NULL: as they come; free with free() */
+  uint32_t n_listed;
+} OrderList;
+
+OrderList order_list (const Order *order, const Site *sites, uint32_t n_sites);
+
+/* Returns: "furthest", "input", "random", "seeded", "hilbert". */
+const char *order_kind_name (OrderKind kind);
+
+/* Returns: whether @name is an order's name ;
  *          sets *@kind. */
 bool order_kind_parse (const char *name, OrderKind *kind);
 

@@ -3,38 +3,79 @@
  * an author chooses it by the order of the sites. No three lifts are
  * collinear, so any three distinct sites will do as its base. */
 #include "hull-builder.h"
-#include "predicate.h"
+#include "memory.h"
 
-#include <stddef.h>
+#include <float.h>
+#include <math.h>
+
+static bool
+is_same (const Site *a, const Site *b)
+{
+  return a->x == b->x && a->y == b->y;
+}
+
+/* Whether the site can join those found so far. */
+static bool
+is_fit (const HullBuilder *b, uint32_t site, uint32_t n_found)
+{
+  const Site *sites = b->sites;
+  const uint32_t *found = b->simplex;
+  uint32_t i;
+
+  if (b->first != NULL && b->first[site] != site)
+    return false;
+  if (n_found == 3)
+    return lift_orient (&sites[found[0]], &sites[found[1]], &sites[found[2]],
+                        &sites[site])
+           != 0;
+  for (i = 0; i < n_found; i++)
+    if (is_same (&sites[site], &sites[found[i]]))
+      return false;
+  return true;
+}
 
 bool
 simplex_find (HullBuilder *b)
 {
-  const Site *sites = b->set->sites;
-  uint32_t *found = b->simplex;
   uint32_t n_found = 0;
   uint32_t i;
 
-  for (i = 0; i < b->set->n_sites && n_found < 4; i++) {
+  for (i = 0; i < b->n_sites && n_found < 4; i++) {
     const uint32_t site = b->list != NULL ? b->list[i] : i;
 
-    if (b->set->first[site] != site)
-      continue;
-    if (n_found == 3
-        && lift_orient (&sites[found[0]], &sites[found[1]], &sites[found[2]],
-                        &sites[site])
-               == 0)
-      continue;
-    found[n_found++] = site;
+    if (is_fit (b, site, n_found))
+      b->simplex[n_found++] = site;
   }
   return n_found == 4;
+}
+
+/* Bounds for the filters, from the side of a square around all sites.
+ * Shewchuk 1997, ccwerrboundA and iccerrboundA: 3 and 10 half ulps and a
+ * little of the sum of the terms' magnitudes, which is at most 2 side² and
+ * 12 side⁴. DBL_MIN is more than underflow can take away. */
+static void
+set_doubts (HullBuilder *b)
+{
+  Site low = b->sites[0], high = b->sites[0];
+  double side;
+  uint32_t i;
+
+  for (i = 1; i < b->n_sites; i++) {
+    low.x = fmin (low.x, b->sites[i].x);
+    low.y = fmin (low.y, b->sites[i].y);
+    high.x = fmax (high.x, b->sites[i].x);
+    high.y = fmax (high.y, b->sites[i].y);
+  }
+  side = fmax (high.x - low.x, high.y - low.y);
+  b->orient_doubt = 5 * (DBL_EPSILON / 2) * 2 * side * side + DBL_MIN;
+  b->doubt = 16 * (DBL_EPSILON / 2) * 12 * side * side * side * side + DBL_MIN;
 }
 
 /* Turns the base so that the top lies behind it. */
 static void
 orient_base (HullBuilder *b)
 {
-  const Site *sites = b->set->sites;
+  const Site *sites = b->sites;
   uint32_t *site = b->simplex;
   const uint32_t second = site[1];
 
@@ -48,35 +89,31 @@ orient_base (HullBuilder *b)
 
 /* Facet 0 is the base; facet 1 + i joins the top to the base's edge i, which
  * is its edge 2. */
-static void
-link_facets (HullBuilder *b)
-{
-  uint32_t i;
-
-  for (i = 0; i < 3; i++) {
-    HullFacet *side = &b->facets[1 + i];
-
-    b->facets[0].across[i] = (1 + i) << 2 | 2;
-    side->across[0] = (1 + (i + 2) % 3) << 2 | 1;
-    side->across[1] = (1 + (i + 1) % 3) << 2 | 0;
-    side->across[2] = i;
-  }
-}
-
 void
 simplex_build (HullBuilder *b)
 {
   const uint32_t *s = b->simplex;
   uint32_t i;
 
+  set_doubts (b);
   orient_base (b);
+  if (b->facets_room < 4)
+    b->facets = memory_grow (b->facets, &b->facets_room, 4, sizeof *b->facets);
+  b->n_facets = 4;
+  b->near = 1;
+  b->counts.facets_created = 4;
+  b->facets[0] = (HullFacet){
+    { s[0], s[1], s[2] }, { 1 << 2 | 2, 2 << 2 | 2, 3 << 2 | 2 }, INDEX_NONE, 0
+  };
+  for (i = 0; i < 3; i++)
+    b->facets[1 + i] = (HullFacet){ { s[i], s[3], s[(i + 1) % 3] },
+                                    { (1 + (i + 2) % 3) << 2 | 1,
+                                      (1 + (i + 1) % 3) << 2, i },
+                                    INDEX_NONE,
+                                    0 };
   for (i = 0; i < 4; i++) {
-    const uint32_t side[3] = { s[(i + 2) % 3], s[3], s[i % 3] };
-    const uint32_t *site = i == 0 ? s : side;
-    const uint32_t facet = hull_add_facet (b, site);
+    const uint32_t *site = b->facets[i].site;
 
-    hull_tell (b,
-               (Event){ EVENT_SIMPLEX, facet, site[2], { site[0], site[1] } });
+    hull_tell (b, (Event){ EVENT_SIMPLEX, i, site[2], { site[0], site[1] } });
   }
-  link_facets (b);
 }

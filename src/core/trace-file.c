@@ -44,17 +44,10 @@ trace_format_letter (char field)
 static void
 write_order (const Order *order, FILE *file)
 {
-  switch (order->kind) {
-  case ORDER_FURTHEST:
-    fputs ("order furthest\n", file);
-    break;
-  case ORDER_INPUT:
-    fputs ("order input\n", file);
-    break;
-  case ORDER_RANDOM:
+  if (order->kind == ORDER_RANDOM)
     fprintf (file, "order random %" PRIu64 "\n", order->seed);
-    break;
-  }
+  else
+    fprintf (file, "order %s\n", order_kind_name (order->kind));
 }
 
 static void

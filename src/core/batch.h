@@ -1,0 +1,26 @@
+/* The batch engine: hulls without events, as fast as can be. It is the same
+ * QuickHull, compiled without a hook. */
+#ifndef BATCH_H
+#define BATCH_H
+
+#include "hull-mesh.h"
+#include "order.h"
+
+typedef struct Batch {
+  HullFacet *facets; /* lower, upper and vertical; sites as given */
+  uint32_t n_facets; /* 0 when the input is flat */
+  HullCounts counts;
+} Batch;
+
+/* Builds the hull of the lifts of @sites, whose magnitudes are in the range
+ * of SiteSet.sites. Sites that equal others are dropped.
+ *
+ * ORDER_SEEDED and ORDER_HILBERT locate sites by walking.
+ *
+ * Memory: at most 100 bytes a site.
+ * Owns:   the caller frees with batch_free().
+ */
+Batch *batch_build (const Site *sites, uint32_t n_sites, const Order *order);
+void batch_free (Batch *batch);
+
+#endif

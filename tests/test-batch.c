@@ -1,0 +1,200 @@
+/* The engine without events against the one with them, and the orders. */
+#include "batch.h"
+#include "fixture.h"
+#include "hilbert.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Whether the facet's circle or plane has company: then another cut of the
+ * same polygon is as good. */
+static gboolean
+is_tied (const Trace *trace, uint32_t facet)
+{
+  const Site *sites = trace->set->sites;
+  const uint32_t *s = trace->facets[facet].site;
+
+  for (uint32_t i = 0; i < trace->set->n_sites; i++)
+    if (trace->set->first[i] == i && i != s[0] && i != s[1] && i != s[2]
+        && lift_orient (&sites[s[0]], &sites[s[1]], &sites[s[2]], &sites[i])
+               == 0)
+      return TRUE;
+  return FALSE;
+}
+
+/* The facet's sites, the lowest first; duplicates by their first. */
+static char *
+facet_key (const SiteSet *set, const uint32_t site[3])
+{
+  uint32_t k = 0;
+  uint32_t s[3];
+
+  for (uint32_t i = 0; i < 3; i++)
+    s[i] = set->first[site[i]];
+  while (s[k] > s[(k + 1) % 3] || s[k] > s[(k + 2) % 3])
+    k++;
+  return g_strdup_printf ("%u %u %u", s[k], s[(k + 1) % 3], s[(k + 2) % 3]);
+}
+
+static GHashTable *
+facet_keys (const SiteSet *set, const Batch *batch)
+{
+  GHashTable *keys
+      = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+
+  for (uint32_t i = 0; i < batch->n_facets; i++)
+    g_hash_table_add (keys, facet_key (set, batch->facets[i].site));
+  return keys;
+}
+
+static void
+assert_same_hull (const Fixture *fixture, OrderKind kind)
+{
+  const Trace *trace = fixture->trace;
+  const SiteSet *set = fixture->set;
+  Batch *batch = batch_build (set->sites, set->n_sites, &(Order){ kind, 5 });
+  g_autoptr (GHashTable) keys = facet_keys (set, batch);
+  uint32_t n_standing = 0;
+
+  for (uint32_t i = 0; i < trace->n_facets; i++) {
+    g_autofree char *key = facet_key (set, trace->facets[i].site);
+
+    if (trace->facets[i].span.death != STEP_NEVER)
+      continue;
+    n_standing++;
+    if (!is_tied (trace, i) && !g_hash_table_contains (keys, key))
+      g_error ("%s, order %s: facet %s is missing", fixture->name,
+               order_kind_name (kind), key);
+  }
+  if (batch->n_facets != n_standing || g_hash_table_size (keys) != n_standing)
+    g_error ("%s, order %s: %u facets, not %u", fixture->name,
+             order_kind_name (kind), batch->n_facets, n_standing);
+  batch_free (batch);
+}
+
+static void
+check_every_order (const Fixture *fixture)
+{
+  for (OrderKind kind = ORDER_FURTHEST; kind < N_ORDERS; kind++)
+    assert_same_hull (fixture, kind);
+}
+
+static void
+test_every_order_builds_the_same_hull (void)
+{
+  fixture_for_each (2, 60, ORDER_FURTHEST, check_every_order);
+  fixture_for_each (1, 400, ORDER_FURTHEST, check_every_order);
+}
+
+/* Neighbours agree: the same edge the other way, and back again. */
+static void
+check_neighbours (const Fixture *fixture)
+{
+  Batch *batch = batch_build (fixture->set->sites, fixture->set->n_sites,
+                              &(Order){ ORDER_HILBERT, 0 });
+
+  for (uint32_t edge = 0; edge < batch->n_facets * 4; edge++) {
+    const HullFacet *row = &batch->facets[edge / 4];
+    const HullFacet *other;
+    HullEdge across;
+
+    if (edge % 4 == 3)
+      continue;
+    across = row->across[edge % 4];
+    other = &batch->facets[across / 4];
+    g_assert_cmpuint (other->across[across % 4], ==, edge);
+    g_assert_cmpuint (other->site[across % 4], ==,
+                      row->site[(edge % 4 + 1) % 3]);
+    g_assert_cmpuint (other->site[(across % 4 + 1) % 3], ==,
+                      row->site[edge % 4]);
+  }
+  batch_free (batch);
+}
+
+static void
+test_neighbours_agree (void)
+{
+  fixture_for_each (2, 60, ORDER_FURTHEST, check_neighbours);
+}
+
+static void
+test_flat_input_has_no_facet (void)
+{
+  const Site square[] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 1, 1 } };
+
+  for (OrderKind kind = ORDER_FURTHEST; kind < N_ORDERS; kind++)
+    for (uint32_t n = 0; n <= G_N_ELEMENTS (square); n++) {
+      Batch *batch = batch_build (square, n, &(Order){ kind, 1 });
+
+      g_assert_cmpuint (batch->n_facets, ==, 0);
+      batch_free (batch);
+    }
+}
+
+static void
+test_events_and_batch_create_the_same_facets (void)
+{
+  g_autoptr (Fixture) fixture
+      = fixture_new (FAMILY_RANDOM, 3, 500, ORDER_INPUT);
+  Batch *batch = batch_build (fixture->set->sites, fixture->set->n_sites,
+                              &(Order){ ORDER_INPUT, 0 });
+
+  g_assert_cmpuint (batch->counts.facets_created, ==, fixture->trace->n_facets);
+  g_assert_cmpuint (batch->counts.redistributions, ==,
+                    fixture->trace->n_claims);
+  batch_free (batch);
+}
+
+/* On a grid of 2^k × 2^k the curve goes from each node to a neighbour. */
+static void
+test_curve_steps_to_neighbours (void)
+{
+  enum { SIDE = 32, N = SIDE * SIDE };
+  Site sites[N];
+  uint32_t list[N];
+
+  for (uint32_t i = 0; i < N; i++)
+    sites[i] = (Site){ i % SIDE, i / SIDE };
+  hilbert_sort (sites, N, list);
+  for (uint32_t i = 1; i < N; i++) {
+    const Site *a = &sites[list[i - 1]], *b = &sites[list[i]];
+
+    g_assert_cmpfloat (fabs (a->x - b->x) + fabs (a->y - b->y), ==, 1);
+  }
+}
+
+static void
+test_rounds_hold_every_site_once (void)
+{
+  enum { N = 1000 };
+  Site sites[N];
+  uint32_t list[N];
+  gboolean is_there[N] = { FALSE };
+
+  for (uint32_t i = 0; i < N; i++)
+    sites[i] = (Site){ i % 37, i % 41 };
+  hilbert_brio (sites, N, list);
+  for (uint32_t i = 0; i < N; i++) {
+    g_assert_cmpuint (list[i], <, N);
+    g_assert_false (is_there[list[i]]);
+    is_there[list[i]] = TRUE;
+  }
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/batch/every-order-builds-the-same-hull",
+                   test_every_order_builds_the_same_hull);
+  g_test_add_func ("/batch/neighbours-agree", test_neighbours_agree);
+  g_test_add_func ("/batch/flat-input-has-no-facet",
+                   test_flat_input_has_no_facet);
+  g_test_add_func ("/batch/with-and-without-events-the-same-facets-are-made",
+                   test_events_and_batch_create_the_same_facets);
+  g_test_add_func ("/hilbert/the-curve-steps-to-neighbours",
+                   test_curve_steps_to_neighbours);
+  g_test_add_func ("/hilbert/rounds-hold-every-site-once",
+                   test_rounds_hold_every_site_once);
+  return g_test_run ();
+}
