@@ -145,6 +145,6 @@ lesson_panel_init (LessonPanel *panel)
   panel->heading = gtk_text_buffer_create_tag (buffer, NULL, "weight",
                                                PANGO_WEIGHT_BOLD, "scale", 1.3,
                                                "pixels-below-lines", 8, NULL);
-  panel->intro = gtk_text_buffer_create_tag (buffer, NULL, "foreground",
-                                             "#5b5866", NULL);
+  panel->intro = gtk_text_buffer_create_tag (buffer, NULL, "style",
+                                             PANGO_STYLE_ITALIC, NULL);
 }
