@@ -1,5 +1,6 @@
 #include "result-json.h"
 
+#include "certify.h"
 #include "fixture.h"
 #include "oracle.h"
 
@@ -7,6 +8,7 @@
 #include <locale.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Returns: (transfer full): the result at @step; free with free(). */
 static char *
@@ -15,13 +17,70 @@ write_result (const Trace *trace, uint32_t step)
   char *text = NULL;
   size_t length = 0;
   FILE *file = open_memstream (&text, &length);
-  Frame frame;
+  Result result;
 
-  frame_init (&frame, trace, step);
-  g_assert_true (result_json_write (&frame, step == trace->n_events, file));
+  result_init (&result, trace, step);
+  g_assert_true (result_json_write (&result, step == trace->n_events, file));
   g_assert_cmpint (fclose (file), ==, 0);
-  frame_clear (&frame);
+  result_clear (&result);
   return text;
+}
+
+static void
+judge_every_order (const Fixture *fixture)
+{
+  for (OrderKind kind = ORDER_FURTHEST; kind < N_ORDERS; kind++) {
+    g_autofree char *name = g_strdup_printf ("%s, order %s", fixture->name,
+                                             order_kind_name (kind));
+    char why[CERTIFY_ROOM] = "";
+    char *text = NULL;
+    size_t length = 0;
+    FILE *file = open_memstream (&text, &length);
+    Result result;
+
+    result_init_batch (&result, fixture->set, &(Order){ kind, 3 });
+    if (!certify_result (&result, why))
+      g_error ("%s: %s", name, why);
+    g_assert_true (result_json_write (&result, true, file));
+    g_assert_cmpint (fclose (file), ==, 0);
+    oracle_judge (text, fixture->set, name);
+    result_clear (&result);
+    free (text);
+  }
+}
+
+static void
+test_batch_of_every_order_is_right (void)
+{
+  fixture_for_each (2, 30, ORDER_FURTHEST, judge_every_order);
+  for (const char *const *name = fixture_names (); *name != NULL; name++) {
+    g_autoptr (Fixture) fixture = fixture_load (*name, ORDER_FURTHEST);
+
+    judge_every_order (fixture);
+  }
+}
+
+/* A facet less, one twice, one turned over: each is found. */
+static void
+test_certify_refuses_spoiled_facets (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("mixed8", ORDER_FURTHEST);
+  char why[CERTIFY_ROOM];
+  Result result;
+  uint32_t site;
+
+  result_init_batch (&result, fixture->set, &(Order){ ORDER_HILBERT, 0 });
+  g_assert_true (certify_result (&result, why));
+  result.n_facets -= 1;
+  g_assert_false (certify_result (&result, why));
+  result.n_facets += 1;
+  site = result.facets[3][0];
+  result.facets[3][0] = result.facets[3][1];
+  result.facets[3][1] = site;
+  g_assert_false (certify_result (&result, why));
+  memcpy (result.facets[3], result.facets[4], sizeof result.facets[4]);
+  g_assert_false (certify_result (&result, why));
+  result_clear (&result);
 }
 
 static void
@@ -162,13 +221,13 @@ test_failing_file_is_reported (void)
 {
   g_autoptr (Fixture) fixture = fixture_load ("square4", ORDER_FURTHEST);
   FILE *full = fopen ("/dev/full", "w");
-  Frame frame;
+  Result result;
 
   g_assert_nonnull (full);
   setvbuf (full, NULL, _IONBF, 0);
-  frame_init (&frame, fixture->trace, fixture->trace->n_events);
-  g_assert_false (result_json_write (&frame, true, full));
-  frame_clear (&frame);
+  result_init (&result, fixture->trace, fixture->trace->n_events);
+  g_assert_false (result_json_write (&result, true, full));
+  result_clear (&result);
   fclose (full);
 }
 
@@ -176,6 +235,10 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/result-json/the-batch-of-every-order-is-right",
+                   test_batch_of_every_order_is_right);
+  g_test_add_func ("/result-json/certify-refuses-spoiled-facets",
+                   test_certify_refuses_spoiled_facets);
   g_test_add_func ("/result-json/square-is-one-circle-group",
                    test_square_is_one_circle_group);
   g_test_add_func ("/result-json/locale-does-not-matter",

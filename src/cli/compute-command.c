@@ -35,7 +35,8 @@ options_parse (Options *options,
           { "verify", 0, 0, G_OPTION_ARG_NONE, &options->verify,
             N_ ("check the result independently before it is written"), NULL },
           { "order", 0, 0, G_OPTION_ARG_STRING, &options->order,
-            N_ ("which site next: furthest, input or random"), "ORDER" },
+            N_ ("which site next: furthest, input, random, seeded or hilbert"),
+            "ORDER" },
           { "seed", 0, 0, G_OPTION_ARG_STRING, &options->seed,
             N_ ("seed of the random order"), "S" },
           { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options->output,
@@ -54,22 +55,20 @@ options_parse (Options *options,
   if (options->order != NULL
       && !order_kind_parse (options->order, &options->order_kind)) {
     cli_usage (command,
-               _ ("there is no order “%s”: write furthest, input or random"),
+               _ ("there is no order “%s”: write furthest, input, random, "
+                  "seeded or hilbert"),
                options->order);
     return FALSE;
   }
   return TRUE;
 }
 
-/* Finds the step to show: the last, or the end of a round. */
+/* Finds the step at the end of the round asked for. */
 static gboolean
 find_step (const Options *options, const Trace *trace, guint *step)
 {
   const char *path = options->paths[0];
 
-  *step = trace->n_events;
-  if (options->round == NULL)
-    return TRUE;
   if (trace->is_flat) {
     cli_say (_ ("%s: there is no round %u: all lifts lie in one plane, so "
                 "there is no first simplex"),
@@ -88,35 +87,50 @@ find_step (const Options *options, const Trace *trace, guint *step)
 }
 
 static gboolean
-verify (const Options *options, const Frame *frame)
+verify (const Options *options, const Result *result)
 {
   char why[CERTIFY_ROOM];
 
-  if (!options->verify || certify_frame (frame, why))
+  if (!options->verify || certify_result (result, why))
     return TRUE;
   cli_say (_ ("%s: the result is wrong: %s"), options->paths[0], why);
   return FALSE;
 }
 
 static CliStatus
+write_result (const Options *options, const Result *result)
+{
+  CliOutput output;
+
+  if (!verify (options, result))
+    return CLI_REFUSED;
+  cli_output_begin (&output);
+  result_json_write (result, options->round == NULL, output.file);
+  return cli_output_end (&output, options->output);
+}
+
+/* Only a round needs the trace. */
+static CliStatus
 compute (const Options *options, const SiteSet *set)
 {
   const Order order = { options->order_kind, options->seed_number };
-  Trace *trace = trace_record (set, &order);
   CliStatus status = CLI_REFUSED;
-  CliOutput output;
-  Frame frame;
+  Trace *trace = NULL;
+  Result result;
   guint step;
 
-  if (find_step (options, trace, &step)) {
-    frame_init (&frame, trace, step);
-    if (verify (options, &frame)) {
-      cli_output_begin (&output);
-      result_json_write (&frame, options->round == NULL, output.file);
-      status = cli_output_end (&output, options->output);
+  if (options->round == NULL) {
+    result_init_batch (&result, set, &order);
+  } else {
+    trace = trace_record (set, &order);
+    if (!find_step (options, trace, &step)) {
+      trace_free (trace);
+      return CLI_REFUSED;
     }
-    frame_clear (&frame);
+    result_init (&result, trace, step);
   }
+  status = write_result (options, &result);
+  result_clear (&result);
   trace_free (trace);
   return status;
 }

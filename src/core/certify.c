@@ -141,6 +141,81 @@ check_diagram_counts (const Frame *frame, char why[CERTIFY_ROOM])
          && check_count ("rays", counts->rays, voronoi->n_rays, why);
 }
 
+/* Three numbers in rotation, the lowest first, as one. */
+typedef struct Rotation {
+  uint32_t site[3];
+} Rotation;
+
+static Rotation
+rotation_of (uint32_t a, uint32_t b, uint32_t c)
+{
+  if (a < b && a < c)
+    return (Rotation){ { a, b, c } };
+  return b < c ? (Rotation){ { b, c, a } } : (Rotation){ { c, a, b } };
+}
+
+static int
+compare_rotations (const void *a, const void *b)
+{
+  const uint32_t *left = ((const Rotation *)a)->site;
+  const uint32_t *right = ((const Rotation *)b)->site;
+
+  for (uint32_t k = 0; k < 3; k += 1)
+    if (left[k] != right[k])
+      return left[k] < right[k] ? -1 : 1;
+  return 0;
+}
+
+/* Checks that the triangles are just the shadows of the lower facets. */
+static bool
+check_triangles (const Result *result, char why[CERTIFY_ROOM])
+{
+  const Site *sites = result->set->sites;
+  const Delaunay *delaunay = &result->delaunay;
+  Rotation *lower = memory_new (result->n_facets, sizeof *lower);
+  Rotation *shadows = memory_new (delaunay->n_triangles, sizeof *shadows);
+  uint32_t n_lower = 0, i;
+  bool is_good;
+
+  for (i = 0; i < result->n_facets; i += 1) {
+    const uint32_t *s = result->facets[i];
+
+    if (facing (&sites[s[0]], &sites[s[1]], &sites[s[2]]) == FACING_LOWER)
+      lower[n_lower++] = rotation_of (s[0], s[2], s[1]);
+  }
+  for (i = 0; i < delaunay->n_triangles; i += 1) {
+    const uint32_t *s = delaunay->triangles[i].site;
+
+    shadows[i] = rotation_of (s[0], s[1], s[2]);
+  }
+  qsort (lower, n_lower, sizeof *lower, compare_rotations);
+  qsort (shadows, delaunay->n_triangles, sizeof *shadows, compare_rotations);
+  is_good = n_lower == delaunay->n_triangles;
+  for (i = 0; is_good && i < n_lower; i += 1)
+    is_good = compare_rotations (&lower[i], &shadows[i]) == 0;
+  free (lower);
+  free (shadows);
+  return is_good
+         || certify_fault (why, "the triangles are not the lower facets' "
+                                "shadows");
+}
+
+bool
+certify_result (const Result *result, char why[CERTIFY_ROOM])
+{
+  const Delaunay *delaunay = &result->delaunay;
+
+  if (!certify_delaunay (delaunay, why)
+      || !certify_voronoi (&result->voronoi, why))
+    return false;
+  if (delaunay->lift_dimension == 3)
+    return certify_hull (result->set, (const Corners *)result->facets,
+                         result->n_facets, delaunay->active, delaunay->n_active,
+                         why)
+           && check_triangles (result, why);
+  return result->n_facets == 0 || certify_fault (why, "flat sites have facets");
+}
+
 bool
 certify_frame (const Frame *frame, char why[CERTIFY_ROOM])
 {

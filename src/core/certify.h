@@ -9,6 +9,7 @@
 #define CERTIFY_H
 
 #include "frame.h"
+#include "result.h"
 
 #define CERTIFY_ROOM 160
 
@@ -32,6 +33,9 @@ bool certify_delaunay (const Delaunay *delaunay, char why[CERTIFY_ROOM]);
 /* Checks that the diagram is the dual: one vertex a group, no edge of length
  * zero, centres within 1e-9 of equal distance, rays along outward normals. */
 bool certify_voronoi (const Voronoi *voronoi, char why[CERTIFY_ROOM]);
+
+/* All three, for a result; each triangle is the shadow of a facet. */
+bool certify_result (const Result *result, char why[CERTIFY_ROOM]);
 
 /* All three, for the triangulation and the hull that a frame shows. */
 bool certify_frame (const Frame *frame, char why[CERTIFY_ROOM]);

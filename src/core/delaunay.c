@@ -7,42 +7,52 @@
 #include <string.h>
 
 static void
-list_active (Delaunay *delaunay, const Trace *trace, uint32_t base)
+start (Delaunay *delaunay, const SiteSet *set)
 {
-  uint32_t site;
-
-  delaunay->active = memory_new (trace->set->n_sites, sizeof (uint32_t));
-  for (site = 0; site < trace->set->n_sites; site++)
-    if (trace->inserted[site] <= base)
-      delaunay->active[delaunay->n_active++] = site;
+  memset (delaunay, 0, sizeof *delaunay);
+  delaunay->set = set;
+  delaunay->dimension = -1;
+  delaunay->lift_dimension = -1;
+  delaunay->active = memory_new (set->n_sites, sizeof (uint32_t));
 }
 
-/* The shadows of the standing lower facets. Seen from outside, that is from
- * below, a lower facet turns counter-clockwise, so its shadow turns the other
- * way.
+static void
+make_room (Delaunay *delaunay)
+{
+  delaunay->triangles = memory_new (2 * (size_t)delaunay->n_active,
+                                    sizeof *delaunay->triangles);
+  delaunay->edges
+      = memory_new (3 * (size_t)delaunay->n_active, sizeof *delaunay->edges);
+}
+
+/* Adds the shadow of a lower facet. Seen from outside, that is from below,
+ * the facet turns counter-clockwise, so its shadow turns the other way.
  *
- * Returns: for each facet its triangle, or INDEX_NONE; free with free(). */
+ * Returns: the triangle's number. */
+static uint32_t
+add_triangle (Delaunay *delaunay, const uint32_t site[3], uint32_t facet)
+{
+  delaunay->triangles[delaunay->n_triangles]
+      = (Triangle){ { site[0], site[2], site[1] },
+                    { INDEX_NONE, INDEX_NONE, INDEX_NONE },
+                    INDEX_NONE,
+                    facet };
+  return delaunay->n_triangles++;
+}
+
+/* Returns: for each facet its triangle, or INDEX_NONE; free with free(). */
 static uint32_t *
 add_triangles (Delaunay *delaunay, const Trace *trace, uint32_t base)
 {
   uint32_t *triangle_of = memory_new (trace->n_facets, sizeof *triangle_of);
   uint32_t facet;
 
-  delaunay->triangles = memory_new (2 * (size_t)delaunay->n_active,
-                                    sizeof *delaunay->triangles);
   for (facet = 0; facet < trace->n_facets; facet++) {
     const FacetRow *row = &trace->facets[facet];
-    Triangle *triangle;
 
     triangle_of[facet] = INDEX_NONE;
-    if (row->facing != FACING_LOWER || !span_has (row->span, base))
-      continue;
-    triangle_of[facet] = delaunay->n_triangles;
-    triangle = &delaunay->triangles[delaunay->n_triangles++];
-    *triangle = (Triangle){ { row->site[0], row->site[2], row->site[1] },
-                            { INDEX_NONE, INDEX_NONE, INDEX_NONE },
-                            INDEX_NONE,
-                            facet };
+    if (row->facing == FACING_LOWER && span_has (row->span, base))
+      triangle_of[facet] = add_triangle (delaunay, row->site, facet);
   }
   return triangle_of;
 }
@@ -102,32 +112,23 @@ add_edge (Delaunay *delaunay, const uint32_t site[2], const uint32_t side[2])
   edge->is_free = is_free_edge (delaunay, edge);
 }
 
-/* The shadows of the ridges that touch a lower facet. In the plane the shadow
- * of a ridge's left facet lies to its right. */
+/* Adds the shadow of a ridge, whose sites have facet[0] on their left from
+ * outside, if it touches a lower facet. In the plane the shadow of the left
+ * facet lies to its right. */
 static void
-add_edges (Delaunay *delaunay,
-           const Trace *trace,
-           uint32_t base,
-           const uint32_t *triangle_of)
+add_ridge (Delaunay *delaunay,
+           const uint32_t *triangle_of,
+           const uint32_t site[2],
+           const uint32_t facet[2])
 {
-  uint32_t ridge;
+  const uint32_t left = triangle_of[facet[1]];
+  const uint32_t right = triangle_of[facet[0]];
 
-  delaunay->edges
-      = memory_new (3 * (size_t)delaunay->n_active, sizeof *delaunay->edges);
-  for (ridge = 0; ridge < trace->n_ridges; ridge++) {
-    const RidgeRow *row = &trace->ridges[ridge];
-    uint32_t left, right;
-
-    if (!span_has (row->span, base))
-      continue;
-    left = triangle_of[row->facet[1]];
-    right = triangle_of[row->facet[0]];
-    if (left != INDEX_NONE)
-      add_edge (delaunay, row->site, (uint32_t[2]){ left, right });
-    else if (right != INDEX_NONE)
-      add_edge (delaunay, (uint32_t[2]){ row->site[1], row->site[0] },
-                (uint32_t[2]){ right, INDEX_NONE });
-  }
+  if (left != INDEX_NONE)
+    add_edge (delaunay, site, (uint32_t[2]){ left, right });
+  else if (right != INDEX_NONE)
+    add_edge (delaunay, (uint32_t[2]){ site[1], site[0] },
+              (uint32_t[2]){ right, INDEX_NONE });
 }
 
 /* Follows the edges that have a triangle on their left only. */
@@ -261,12 +262,44 @@ init_flat (Delaunay *delaunay)
 static void
 init_hull (Delaunay *delaunay, const Trace *trace, uint32_t base)
 {
-  uint32_t *triangle_of = add_triangles (delaunay, trace, base);
+  uint32_t *triangle_of;
+  uint32_t ridge;
 
-  delaunay->dimension = 2;
-  delaunay->lift_dimension = 3;
-  add_edges (delaunay, trace, base, triangle_of);
-  walk_boundary (delaunay);
+  make_room (delaunay);
+  triangle_of = add_triangles (delaunay, trace, base);
+  for (ridge = 0; ridge < trace->n_ridges; ridge++)
+    if (span_has (trace->ridges[ridge].span, base))
+      add_ridge (delaunay, triangle_of, trace->ridges[ridge].site,
+                 trace->ridges[ridge].facet);
+  free (triangle_of);
+}
+
+static void
+init_batch (Delaunay *delaunay, const Batch *batch)
+{
+  const Site *sites = delaunay->set->sites;
+  uint32_t *triangle_of = memory_new (batch->n_facets, sizeof *triangle_of);
+  uint32_t i, k;
+
+  make_room (delaunay);
+  for (i = 0; i < batch->n_facets; i++) {
+    const uint32_t *s = batch->facets[i].site;
+
+    triangle_of[i] = INDEX_NONE;
+    if (facing (&sites[s[0]], &sites[s[1]], &sites[s[2]]) == FACING_LOWER)
+      triangle_of[i] = add_triangle (delaunay, s, i);
+  }
+  for (i = 0; i < batch->n_facets; i++)
+    for (k = 0; k < 3; k++) {
+      const HullFacet *row = &batch->facets[i];
+      const uint32_t other = row->across[k] >> 2;
+
+      /* Each ridge once, from the facet of the lower number. */
+      if (i < other)
+        add_ridge (delaunay, triangle_of,
+                   (uint32_t[2]){ row->site[k], row->site[(k + 1) % 3] },
+                   (uint32_t[2]){ i, other });
+    }
   free (triangle_of);
 }
 
@@ -284,27 +317,55 @@ delaunay_is_extreme (const Delaunay *delaunay, uint32_t index)
          != 0;
 }
 
+/* What follows from triangles and edges. */
+static void
+finish (Delaunay *delaunay, bool is_flat)
+{
+  uint32_t i;
+
+  if (!is_flat) {
+    delaunay->dimension = 2;
+    delaunay->lift_dimension = 3;
+    walk_boundary (delaunay);
+  }
+  number_groups (delaunay);
+  for (i = 0; i < delaunay->n_boundary; i++)
+    delaunay->n_extreme += delaunay_is_extreme (delaunay, i);
+}
+
 void
 delaunay_init (Delaunay *delaunay, const Trace *trace, uint32_t step)
 {
   const uint32_t base = trace_base (trace, step);
-  uint32_t i;
+  uint32_t site;
 
-  memset (delaunay, 0, sizeof *delaunay);
-  delaunay->set = trace->set;
-  delaunay->dimension = -1;
-  delaunay->lift_dimension = -1;
+  start (delaunay, trace->set);
   if (step < trace->simplex_end)
     return;
-
-  list_active (delaunay, trace, base);
+  for (site = 0; site < trace->set->n_sites; site++)
+    if (trace->inserted[site] <= base)
+      delaunay->active[delaunay->n_active++] = site;
   if (trace->is_flat)
     init_flat (delaunay);
   else
     init_hull (delaunay, trace, base);
-  number_groups (delaunay);
-  for (i = 0; i < delaunay->n_boundary; i++)
-    delaunay->n_extreme += delaunay_is_extreme (delaunay, i);
+  finish (delaunay, trace->is_flat);
+}
+
+void
+delaunay_init_batch (Delaunay *delaunay, const SiteSet *set, const Batch *batch)
+{
+  uint32_t site;
+
+  start (delaunay, set);
+  for (site = 0; site < set->n_sites; site++)
+    if (set->first[site] == site)
+      delaunay->active[delaunay->n_active++] = site;
+  if (batch->n_facets == 0)
+    init_flat (delaunay);
+  else
+    init_batch (delaunay, batch);
+  finish (delaunay, batch->n_facets == 0);
 }
 
 void

@@ -7,6 +7,7 @@
 #ifndef DELAUNAY_H
 #define DELAUNAY_H
 
+#include "batch.h"
 #include "trace.h"
 
 typedef struct Triangle {
@@ -47,6 +48,12 @@ typedef struct Delaunay {
  * Cost: O(n log n) in the facets ever born up to @step.
  */
 void delaunay_init (Delaunay *delaunay, const Trace *trace, uint32_t step);
+
+/* The triangulation of a whole set from the batch engine, whose sites were
+ * SiteSet.sites. A triangle's facet is its number in @batch. */
+void delaunay_init_batch (Delaunay *delaunay,
+                          const SiteSet *set,
+                          const Batch *batch);
 void delaunay_clear (Delaunay *delaunay);
 
 /* Returns: whether the boundary site at @index is a corner of the hull. */

@@ -200,53 +200,46 @@ facing_name (Facing part)
 }
 
 static void
-write_facet (const FacetRow *row, FILE *file)
+write_facets (const Result *result, FILE *file)
 {
-  fputs ("[", file);
-  write_indices (row->site, 3, file);
-  fputs ("]", file);
-}
-
-static void
-write_kind (const FacetRow *row, FILE *file)
-{
-  fprintf (file, "\"%s\"", facing_name (row->facing));
-}
-
-/* One item for each standing facet. */
-static void
-write_facets (const Frame *frame,
-              const char *key,
-              void (*write) (const FacetRow *row, FILE *file),
-              FILE *file)
-{
-  uint32_t n_written = 0;
-
-  fprintf (file, ",\n    \"%s\": [", key);
-  for (uint32_t i = 0; i < frame->n_facets; i += 1) {
-    if ((frame->facets[i].roles & FACET_STANDS) == 0)
-      continue;
-    fputs (separator (n_written), file);
-    write (&frame->trace->facets[frame->facets[i].facet], file);
-    n_written += 1;
+  fputs (",\n    \"facets\": [", file);
+  for (uint32_t i = 0; i < result->n_facets; i += 1) {
+    fprintf (file, "%s[", separator (i));
+    write_indices (result->facets[i], 3, file);
+    fputs ("]", file);
   }
   fputs ("]", file);
 }
 
 static void
-write_hull3d (const Frame *frame, FILE *file)
+write_kinds (const Result *result, FILE *file)
+{
+  const Site *sites = result->set->sites;
+
+  fputs (",\n    \"kinds\": [", file);
+  for (uint32_t i = 0; i < result->n_facets; i += 1) {
+    const uint32_t *s = result->facets[i];
+
+    fprintf (file, "%s\"%s\"", separator (i),
+             facing_name (facing (&sites[s[0]], &sites[s[1]], &sites[s[2]])));
+  }
+  fputs ("]", file);
+}
+
+static void
+write_hull3d (const Result *result, FILE *file)
 {
   fprintf (file, "  \"hull3d\": {\n    \"dimension\": %d",
-           frame->delaunay.lift_dimension);
-  write_facets (frame, "facets", write_facet, file);
-  write_facets (frame, "kinds", write_kind, file);
+           result->delaunay.lift_dimension);
+  write_facets (result, file);
+  write_kinds (result, file);
   fputs ("\n  }\n", file);
 }
 
 bool
-result_json_write (const Frame *frame, bool is_whole, FILE *file)
+result_json_write (const Result *result, bool is_whole, FILE *file)
 {
-  const Delaunay *delaunay = &frame->delaunay;
+  const Delaunay *delaunay = &result->delaunay;
   const SiteSet *set = delaunay->set;
 
   fprintf (file, "{\n  \"n\": %u,\n  \"dimension\": %d,\n", set->n_sites,
@@ -258,8 +251,8 @@ result_json_write (const Frame *frame, bool is_whole, FILE *file)
   write_hull2d (delaunay, file);
   write_segments (delaunay, file);
   write_triangles (delaunay, file);
-  write_voronoi (&frame->voronoi, file);
-  write_hull3d (frame, file);
+  write_voronoi (&result->voronoi, file);
+  write_hull3d (result, file);
   fputs ("}\n", file);
   return !ferror (file);
 }

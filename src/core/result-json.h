@@ -2,17 +2,17 @@
 #ifndef RESULT_JSON_H
 #define RESULT_JSON_H
 
-#include "frame.h"
+#include "result.h"
 
 #include <stdio.h>
 
-/* Writes the triangulation, the diagram and the hull shown at @frame.
+/* Writes the triangulation, the diagram and the hull.
  * @is_whole: all sites are inserted; else `active` lists those that are.
  *
  * Shape: one JSON object and a newline; every number reads back as the same
  *        double, whatever the locale.
  * Returns: false when writing failed (errno).
  */
-bool result_json_write (const Frame *frame, bool is_whole, FILE *file);
+bool result_json_write (const Result *result, bool is_whole, FILE *file);
 
 #endif
