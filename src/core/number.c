@@ -118,3 +118,12 @@ number_write (double number, char text[NUMBER_ROOM])
   }
   uselocale (before);
 }
+
+void
+number_write_whole (double number, char text[NUMBER_ROOM])
+{
+  const locale_t before = enter_c_locale ();
+
+  snprintf (text, NUMBER_ROOM, "%.17g", number);
+  uselocale (before);
+}

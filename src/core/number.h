@@ -19,4 +19,7 @@ const char *number_parse (const char *text, double *number);
 /* Writes few digits, at most 17, that read back as the same double. */
 void number_write (double number, char text[NUMBER_ROOM]);
 
+/* Writes 17 significant digits, which always read back as the same double. */
+void number_write_whole (double number, char text[NUMBER_ROOM]);
+
 #endif

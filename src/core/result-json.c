@@ -20,6 +20,17 @@ write_number (double number, FILE *file)
   fputs (text, file);
 }
 
+/* A number that was computed: nearly always all its digits count, so none is
+ * saved by looking for fewer. */
+static void
+write_computed (double number, FILE *file)
+{
+  char text[NUMBER_ROOM];
+
+  number_write_whole (number, text);
+  fputs (text, file);
+}
+
 static void
 write_pair (double x, double y, FILE *file)
 {
@@ -28,11 +39,27 @@ write_pair (double x, double y, FILE *file)
   write_number (y, file);
 }
 
+/* As fprintf() with %u, without its cost: a result is mostly indices. */
+static void
+write_index (uint32_t index, FILE *file)
+{
+  char text[10];
+  size_t n = sizeof text;
+
+  do {
+    text[--n] = (char)('0' + index % 10);
+    index /= 10;
+  } while (index > 0);
+  fwrite (text + n, 1, sizeof text - n, file);
+}
+
 static void
 write_indices (const uint32_t *indices, uint32_t n, FILE *file)
 {
-  for (uint32_t i = 0; i < n; i += 1)
-    fprintf (file, "%s%u", separator (i), indices[i]);
+  for (uint32_t i = 0; i < n; i += 1) {
+    fputs (separator (i), file);
+    write_index (indices[i], file);
+  }
 }
 
 static void
@@ -106,7 +133,7 @@ write_triangles (const Delaunay *delaunay, FILE *file)
 {
   fputs ("  \"triangles\": [", file);
   for (uint32_t i = 0; i < delaunay->n_triangles; i += 1) {
-    fprintf (file, "%s[", separator (i));
+    fputs (i == 0 ? "[" : ", [", file);
     write_indices (delaunay->triangles[i].site, 3, file);
     fputs ("]", file);
   }
@@ -125,11 +152,16 @@ write_vertices (const Voronoi *voronoi, FILE *file)
     const double y = ldexp (voronoi->vertices[i].at.y, exponent);
     const bool is_finite = isfinite (x) && isfinite (y);
 
-    fprintf (file, "%s%s", separator (i), is_finite ? "[" : "null");
-    if (is_finite) {
-      write_pair (x, y, file);
-      fputs ("]", file);
+    fputs (separator (i), file);
+    if (!is_finite) {
+      fputs ("null", file);
+      continue;
     }
+    fputs ("[", file);
+    write_computed (x, file);
+    fputs (", ", file);
+    write_computed (y, file);
+    fputs ("]", file);
   }
   fputs ("],\n", file);
 }
@@ -140,8 +172,10 @@ write_vertex_of_triangle (const Delaunay *delaunay, FILE *file)
   if (delaunay->dimension != 2)
     return;
   fputs ("    \"vertex_of_triangle\": [", file);
-  for (uint32_t i = 0; i < delaunay->n_triangles; i += 1)
-    fprintf (file, "%s%u", separator (i), delaunay->triangles[i].group);
+  for (uint32_t i = 0; i < delaunay->n_triangles; i += 1) {
+    fputs (separator (i), file);
+    write_index (delaunay->triangles[i].group, file);
+  }
   fputs ("],\n", file);
 }
 
@@ -150,12 +184,14 @@ write_vertex_of_triangle (const Delaunay *delaunay, FILE *file)
 static void
 write_edge (const VoronoiEdge *edge, int exponent, FILE *file)
 {
-  fprintf (file, "[%u, %u", edge->site[0], edge->site[1]);
+  fputs ("[", file);
+  write_indices (edge->site, 2, file);
   for (int end = 0; end < 2; end += 1) {
+    fputs (", ", file);
     if (edge->vertex[end] == INDEX_NONE)
-      fputs (", -1", file);
+      fputs ("-1", file);
     else
-      fprintf (file, ", %u", edge->vertex[end]);
+      write_index (edge->vertex[end], file);
   }
   if (edge->vertex[1] == INDEX_NONE) {
     fputs (", ", file);
@@ -204,7 +240,7 @@ write_facets (const Result *result, FILE *file)
 {
   fputs (",\n    \"facets\": [", file);
   for (uint32_t i = 0; i < result->n_facets; i += 1) {
-    fprintf (file, "%s[", separator (i));
+    fputs (i == 0 ? "[" : ", [", file);
     write_indices (result->facets[i], 3, file);
     fputs ("]", file);
   }
