@@ -98,6 +98,6 @@ walk_to (HullBuilder *b, uint32_t site)
     facet = across >> 2;
     from = across & 3;
   }
-  assert (!"a walk through a Delaunay triangulation ends");
+  assert (false && "a walk through a Delaunay triangulation ends");
   return INDEX_NONE;
 }
