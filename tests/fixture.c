@@ -230,3 +230,28 @@ fixture_for_each (guint n,
     check (fixture);
   }
 }
+
+uint32_t
+fixture_facet (const Fixture *fixture, uint32_t a, uint32_t b, uint32_t c)
+{
+  for (uint32_t i = 0; i < fixture->trace->n_facets; i++) {
+    const uint32_t *site = fixture->trace->facets[i].site;
+    guint n = 0;
+
+    for (guint k = 0; k < 3; k++)
+      n += site[k] == a || site[k] == b || site[k] == c;
+    if (n == 3)
+      return i;
+  }
+  return INDEX_NONE;
+}
+
+bool
+fixture_ends_with (const Fixture *fixture, uint32_t a, uint32_t b, uint32_t c)
+{
+  const uint32_t facet = fixture_facet (fixture, a, b, c);
+
+  return facet != INDEX_NONE
+         && span_has (fixture->trace->facets[facet].span,
+                      fixture->trace->n_events);
+}

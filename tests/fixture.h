@@ -43,6 +43,14 @@ void fixture_for_each (guint n,
                        OrderKind order,
                        void (*check) (const Fixture *fixture));
 
+/* Returns: the first facet with these three corners, or INDEX_NONE. */
+uint32_t
+fixture_facet (const Fixture *fixture, uint32_t a, uint32_t b, uint32_t c);
+
+/* Returns: whether a facet with these corners stands at the end. */
+bool
+fixture_ends_with (const Fixture *fixture, uint32_t a, uint32_t b, uint32_t c);
+
 /* Returns: the names of all curated sets, NULL at the end. */
 const char *const *fixture_names (void);
 

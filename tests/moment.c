@@ -104,3 +104,15 @@ moment_count (const Moment *moment, Facing facing)
       n += 1;
   return n;
 }
+
+char *
+moment_seen (const Moment *moment, uint32_t site)
+{
+  GString *text = g_string_new (NULL);
+
+  for (uint32_t i = 0; i < moment->n_facets; i++)
+    if (moment_sees (moment, moment->facets[i], site))
+      g_string_append_printf (text, "%s%u", text->len > 0 ? " " : "",
+                              moment->facets[i]);
+  return g_string_free (text, FALSE);
+}

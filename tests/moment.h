@@ -31,6 +31,9 @@ Facing moment_facing (const Moment *moment, uint32_t facet);
  *          an upper one, strictly beyond the hull edge of a vertical one. */
 bool moment_sees (const Moment *moment, uint32_t facet, uint32_t site);
 
+/* Returns: (transfer full): the standing facets that @site sees: "0 1". */
+char *moment_seen (const Moment *moment, uint32_t site);
+
 /* Returns: the number of standing facets that face so. */
 uint32_t moment_count (const Moment *moment, Facing facing);
 
