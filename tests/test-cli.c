@@ -428,10 +428,69 @@ put_files (void)
   put ("far.md", LESSON ("Far", "goto round 7 see\n"));
 }
 
+/* 300 sites that are nowhere near a tie. */
+static void
+put_scattered (const char *name)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  g_autoptr (GRand) random = g_rand_new_with_seed (11);
+
+  for (guint i = 0; i < 300; i++)
+    g_string_append_printf (text, "%d %d\n",
+                            g_rand_int_range (random, 0, 1 << 24),
+                            g_rand_int_range (random, 0, 1 << 24));
+  put (name, text->str);
+}
+
+/* What an order costs is told by the trace as well: births and claims. */
+static void
+test_count_agrees_with_the_trace (void)
+{
+  g_auto (Result) counts = { 0 }, trace = { 0 };
+  guint n_created = 0, n_claims = 0;
+  g_autofree char *created = NULL, *claims = NULL;
+  g_auto (GStrv) lines = NULL;
+
+  put_scattered ("scattered.txt");
+  run (&counts, "count --order random --seed 4 scattered.txt");
+  run (&trace, "trace --order random --seed 4 scattered.txt");
+  g_assert_cmpint (counts.status, ==, 0);
+  lines = g_strsplit (trace.out, "\n", -1);
+  g_assert_cmpstr (lines[1], ==, "order random 4");
+  for (guint i = 0; lines[i] != NULL; i++) {
+    n_created += g_str_has_prefix (lines[i], "cone ")
+                 || g_str_has_prefix (lines[i], "simplex ");
+    n_claims += g_str_has_prefix (lines[i], "claim ");
+  }
+  created = g_strdup_printf ("%-28s %12u ", "facets created", n_created);
+  claims
+      = g_strdup_printf ("%-28s %12u ", "claims, redistributed too", n_claims);
+  g_assert_nonnull (strstr (counts.out, created));
+  g_assert_nonnull (strstr (counts.out, claims));
+}
+
+static void
+test_walking_claims_nothing (void)
+{
+  g_auto (Result) counts = { 0 };
+  g_autofree char *no_claim
+      = g_strdup_printf ("%-28s %12u ", "claims, redistributed too", 0);
+  g_autofree char *no_step
+      = g_strdup_printf ("%-28s %12u ", "steps of walks", 0);
+
+  put_scattered ("scattered.txt");
+  run (&counts, "count --order hilbert scattered.txt");
+  g_assert_cmpint (counts.status, ==, 0);
+  g_assert_nonnull (strstr (counts.out, no_claim));
+  g_assert_null (strstr (counts.out, no_step));
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
 } tests[] = {
+  { "/cli/count-agrees-with-the-trace", test_count_agrees_with_the_trace },
+  { "/cli/walking-claims-nothing", test_walking_claims_nothing },
   { "/cli/each-failure-has-its-status-and-message",
     test_each_failure_has_its_status_and_message },
   { "/cli/compute-writes-the-result", test_compute_writes_the_result },

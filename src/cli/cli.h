@@ -3,6 +3,8 @@
 #ifndef CLI_H
 #define CLI_H
 
+#include "order.h"
+
 #include <glib.h>
 #include <stdio.h>
 
@@ -26,6 +28,7 @@ typedef struct CliCommand {
 } CliCommand;
 
 CliStatus cli_compute (const CliCommand *command, int argc, char **argv);
+CliStatus cli_count (const CliCommand *command, int argc, char **argv);
 CliStatus cli_trace (const CliCommand *command, int argc, char **argv);
 CliStatus cli_replay (const CliCommand *command, int argc, char **argv);
 CliStatus cli_export (const CliCommand *command, int argc, char **argv);
@@ -58,6 +61,33 @@ gboolean cli_number (const CliCommand *command,
                      const char *option,
                      const char *value,
                      guint *number);
+
+/* The options --order and --seed as they were given. */
+typedef struct CliOrder {
+  char *kind, *seed;
+} CliOrder;
+
+void cli_order_clear (CliOrder *options);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (CliOrder, cli_order_clear)
+
+#define CLI_ORDER_ENTRIES(options)                                             \
+  { "order",                                                                   \
+    0,                                                                         \
+    0,                                                                         \
+    G_OPTION_ARG_STRING,                                                       \
+    &(options)->kind,                                                          \
+    N_ ("which site next: furthest, input, random, seeded or hilbert"),        \
+    "ORDER" },                                                                 \
+  {                                                                            \
+    "seed", 0, 0, G_OPTION_ARG_STRING, &(options)->seed,                       \
+        N_ ("seed of the random order"), "S"                                   \
+  }
+
+/* Reads them.
+ *
+ * Returns: FALSE after the reason and the usage line are on stderr. */
+gboolean
+cli_order (const CliCommand *command, const CliOrder *options, Order *order);
 
 /* Puts a line on stderr, without control characters. */
 void cli_say (const char *format, ...) G_GNUC_PRINTF (1, 2);

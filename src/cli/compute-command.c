@@ -6,19 +6,19 @@
 #include <glib/gi18n.h>
 
 typedef struct Options {
-  char *round, *order, *seed, *output;
+  char *round, *output;
+  CliOrder order_options;
   gboolean verify;
   char **paths;
-  guint round_number, seed_number;
-  OrderKind order_kind;
+  guint round_number;
+  Order order;
 } Options;
 
 static void
 options_clear (Options *options)
 {
   g_free (options->round);
-  g_free (options->order);
-  g_free (options->seed);
+  cli_order_clear (&options->order_options);
   g_free (options->output);
   g_strfreev (options->paths);
 }
@@ -34,33 +34,17 @@ options_parse (Options *options,
             N_ ("stop after R insertions beyond the first simplex"), "R" },
           { "verify", 0, 0, G_OPTION_ARG_NONE, &options->verify,
             N_ ("check the result independently before it is written"), NULL },
-          { "order", 0, 0, G_OPTION_ARG_STRING, &options->order,
-            N_ ("which site next: furthest, input, random, seeded or hilbert"),
-            "ORDER" },
-          { "seed", 0, 0, G_OPTION_ARG_STRING, &options->seed,
-            N_ ("seed of the random order"), "S" },
+          CLI_ORDER_ENTRIES (&options->order_options),
           { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options->output,
             N_ ("write to FILE, whole or not at all"), "FILE" },
           G_OPTION_ENTRY_NULL };
 
-  if (!cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,
-                  &options->paths)
-      || (options->round != NULL
-          && !cli_number (command, "--round", options->round,
-                          &options->round_number))
-      || (options->seed != NULL
-          && !cli_number (command, "--seed", options->seed,
-                          &options->seed_number)))
-    return FALSE;
-  if (options->order != NULL
-      && !order_kind_parse (options->order, &options->order_kind)) {
-    cli_usage (command,
-               _ ("there is no order “%s”: write furthest, input, random, "
-                  "seeded or hilbert"),
-               options->order);
-    return FALSE;
-  }
-  return TRUE;
+  return cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,
+                    &options->paths)
+         && (options->round == NULL
+             || cli_number (command, "--round", options->round,
+                            &options->round_number))
+         && cli_order (command, &options->order_options, &options->order);
 }
 
 /* Finds the step at the end of the round asked for. */
@@ -113,16 +97,15 @@ write_result (const Options *options, const Result *result)
 static CliStatus
 compute (const Options *options, const SiteSet *set)
 {
-  const Order order = { options->order_kind, options->seed_number };
   CliStatus status = CLI_REFUSED;
   Trace *trace = NULL;
   Result result;
   guint step;
 
   if (options->round == NULL) {
-    result_init_batch (&result, set, &order);
+    result_init_batch (&result, set, &options->order);
   } else {
-    trace = trace_record (set, &order);
+    trace = trace_record (set, &options->order);
     if (!find_step (options, trace, &step)) {
       trace_free (trace);
       return CLI_REFUSED;
@@ -138,7 +121,7 @@ compute (const Options *options, const SiteSet *set)
 CliStatus
 cli_compute (const CliCommand *command, int argc, char **argv)
 {
-  Options options = { .order_kind = ORDER_FURTHEST };
+  Options options = { .round = NULL };
   CliStatus status = CLI_USAGE;
   GError *error = NULL;
   SiteSet *set;

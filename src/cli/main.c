@@ -11,6 +11,8 @@ static const CliCommand commands[] = {
   { "compute", "POINTS",
     N_ ("Write hull, Delaunay triangulation and Voronoi diagram as JSON"),
     cli_compute },
+  { "count", "POINTS", N_ ("Count what an order of insertion costs"),
+    cli_count },
   { "trace", "POINTS", N_ ("Write what happens, one event a line"), cli_trace },
   { "replay", "LESSON…", N_ ("Play lessons and check what they expect"),
     cli_replay },

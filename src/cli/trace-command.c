@@ -24,10 +24,12 @@ parse_detail (const CliCommand *command, const char *detail, Grain *grain)
 }
 
 static CliStatus
-write_trace (const SiteSet *set, Grain grain, const char *path)
+write_trace (const SiteSet *set,
+             const Order *order,
+             Grain grain,
+             const char *path)
 {
-  const Order order = { ORDER_FURTHEST, 0 };
-  Trace *trace = trace_record (set, &order);
+  Trace *trace = trace_record (set, order);
   CliOutput output;
 
   cli_output_begin (&output);
@@ -40,10 +42,12 @@ CliStatus
 cli_trace (const CliCommand *command, int argc, char **argv)
 {
   g_autofree char *detail = NULL, *path = NULL;
+  g_auto (CliOrder) order_options = { NULL, NULL };
   g_auto (GStrv) paths = NULL;
   const GOptionEntry options[]
       = { { "detail", 'd', 0, G_OPTION_ARG_STRING, &detail,
             N_ ("a line for each event, phase or round"), "event|phase|round" },
+          CLI_ORDER_ENTRIES (&order_options),
           { "output", 'o', 0, G_OPTION_ARG_FILENAME, &path,
             N_ ("write to FILE, whole or not at all"), "FILE" },
           G_OPTION_ENTRY_NULL };
@@ -51,14 +55,16 @@ cli_trace (const CliCommand *command, int argc, char **argv)
   CliStatus status;
   SiteSet *set;
   Grain grain;
+  Order order;
 
   if (!cli_parse (command, options, (CliCount){ 1, 1 }, argc, argv, &paths)
-      || !parse_detail (command, detail, &grain))
+      || !parse_detail (command, detail, &grain)
+      || !cli_order (command, &order_options, &order))
     return CLI_USAGE;
   set = document_read_points (paths[0], &error);
   if (set == NULL)
     return cli_fail (error);
-  status = write_trace (set, grain, path);
+  status = write_trace (set, &order, grain, path);
   site_set_free (set);
   return status;
 }

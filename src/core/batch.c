@@ -31,6 +31,30 @@ rename_list (Arrangement *arrangement, uint32_t *given, uint32_t n)
   free (given);
 }
 
+/* Puts the leftmost, rightmost, lowest and highest sites first, where the
+ * first simplex is looked for: a wide one leaves few sites outside the hull
+ * in the plane. */
+static void
+put_extremes_first (const Site *sites, uint32_t n, uint32_t *names)
+{
+  uint32_t k, i;
+
+  for (k = 0; k < 4; k++) {
+    const double sign = k % 2 == 0 ? 1 : -1;
+    uint32_t best = k;
+
+    for (i = k + 1; i < n; i++) {
+      const Site *a = &sites[names[i]], *b = &sites[names[best]];
+
+      if (k < 2 ? sign * a->x < sign * b->x : sign * a->y < sign * b->y)
+        best = i;
+    }
+    i = names[k];
+    names[k] = names[best];
+    names[best] = i;
+  }
+}
+
 static void
 arrange (Arrangement *arrangement,
          const Site *sites,
@@ -47,6 +71,7 @@ arrange (Arrangement *arrangement,
   if (!is_spatial) {
     arrangement->names = memory_new (n, sizeof *arrangement->names);
     hilbert_sort (sites, n, arrangement->names);
+    put_extremes_first (sites, n, arrangement->names);
     if (list.n_listed > 0)
       rename_list (arrangement, list.sites, n);
   }
