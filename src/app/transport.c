@@ -7,6 +7,7 @@
 struct _Transport {
   GtkBox parent_instance;
   Session *session;
+  GtkBox *buttons;
   GtkButton *play_button;
   GtkImage *play_image;
   Scrubber *scrubber;
@@ -136,6 +137,7 @@ transport_class_init (TransportClass *class)
   g_type_ensure (SCRUBBER_TYPE);
   gtk_widget_class_set_template_from_resource (
       widget_class, "/io/github/hull2vd/Hull2VD/transport.ui");
+  gtk_widget_class_bind_template_child (widget_class, Transport, buttons);
   gtk_widget_class_bind_template_child (widget_class, Transport, play_button);
   gtk_widget_class_bind_template_child (widget_class, Transport, play_image);
   gtk_widget_class_bind_template_child (widget_class, Transport, scrubber);
@@ -151,5 +153,7 @@ transport_init (Transport *transport)
   gtk_widget_init_template (GTK_WIDGET (transport));
   /* Time runs one way; it is not mirrored with the text. */
   gtk_widget_set_direction (GTK_WIDGET (transport), GTK_TEXT_DIR_LTR);
+  gtk_widget_set_direction (GTK_WIDGET (transport->buttons), GTK_TEXT_DIR_LTR);
+  gtk_widget_set_direction (GTK_WIDGET (transport->scrubber), GTK_TEXT_DIR_LTR);
   gtk_menu_button_set_menu_model (transport->speed_button, menu);
 }
