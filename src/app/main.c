@@ -1,5 +1,6 @@
 #include "hull2vd-application.h"
 #include "locate.h"
+#include "memory.h"
 
 #include <locale.h>
 
@@ -8,6 +9,7 @@ main (int argc, char **argv)
 {
   g_autoptr (Hull2vdApplication) application = NULL;
 
+  memory_keep ();
   setlocale (LC_ALL, "");
   locate_translations ();
   application = hull2vd_application_new ();

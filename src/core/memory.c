@@ -4,6 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 static void *
 there_or_abort (void *room)
 {
@@ -33,4 +37,14 @@ memory_grow (void *array, uint32_t *capacity, uint32_t n, size_t size)
     return there_or_abort (NULL);
   *capacity = room;
   return there_or_abort (realloc (array, room * size));
+}
+
+void
+memory_keep (void)
+{
+#ifdef __GLIBC__
+  mallopt (M_MMAP_THRESHOLD, 1 << 30);
+  mallopt (M_TRIM_THRESHOLD, 1 << 30);
+  mallopt (M_TOP_PAD, 16 << 20);
+#endif
 }

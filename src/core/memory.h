@@ -15,4 +15,9 @@ void *memory_new (size_t n, size_t size);
  */
 void *memory_grow (void *array, uint32_t *capacity, uint32_t n, size_t size);
 
+/* Lets freed memory stay with the program. A drag makes a trace anew at every
+ * move of the pointer, and to fetch its pages from the system each time costs
+ * more than the hull. To be called once, first of all. */
+void memory_keep (void);
+
 #endif

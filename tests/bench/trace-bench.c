@@ -1,6 +1,7 @@
 /* trace-bench FILE REPEATS: what a drag costs: QuickHull with its whole trace,
  * triangulation and Voronoi diagram at the end, and QuickHull alone. */
 #include "bench.h"
+#include "memory.h"
 #include "voronoi.h"
 
 static uint32_t
@@ -29,6 +30,7 @@ main (int argc, char **argv)
   uint32_t n_vertices = 0;
   SiteSet *set;
 
+  memory_keep ();
   if (argc != 3 || !bench_times_init (&hull, argv[2])
       || !bench_times_init (&trace, argv[2]) || !bench_read (argv[1], &sites))
     return 64;
