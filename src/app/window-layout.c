@@ -81,10 +81,16 @@ move_panel (Hull2vdWindow *window, WindowPanel panel, gboolean to_tabs)
 static void
 on_fold (Columns *columns, gboolean is_folded, Hull2vdWindow *window)
 {
+  GtkStyleContext *style = gtk_widget_get_style_context (GTK_WIDGET (window));
+
   (void)columns;
   for (WindowPanel panel = PANEL_CODE; panel < N_PANELS; panel++)
     move_panel (window, panel, is_folded);
   legend_panel_set_columns (window->legend_panel, is_folded ? 1 : 2);
+  if (is_folded)
+    gtk_style_context_add_class (style, "folded");
+  else
+    gtk_style_context_remove_class (style, "folded");
   update_columns (window);
 }
 
