@@ -113,10 +113,11 @@ test_lesson_verbs_need_no_window (void)
       g_string_append_printf (verbs, "%s ", table[i].name);
     }
   /* A closed list: whoever adds to it writes its reference too. */
-  g_assert_cmpstr (verbs->str, ==,
-                   "next-event back-event next-phase back-phase next-round "
-                   "back-round goto show hide focus select camera add-site "
-                   "move-site remove-site sites ");
+  g_assert_cmpstr (
+      verbs->str, ==,
+      "next-event back-event next-phase back-phase next-round "
+      "back-round goto show hide order focus select camera add-site "
+      "move-site remove-site sites ");
 }
 
 static void
@@ -128,6 +129,30 @@ test_what_the_window_does_is_refused_here (void)
   refuse (session, "quit", NULL, ACTION_ERROR_UNKNOWN);
   refuse (session, "step", NULL, ACTION_ERROR_UNKNOWN);
   refuse (session, "no-such-action", NULL, ACTION_ERROR_UNKNOWN);
+}
+
+/* Another order is another way to the same hull, and edits keep to it. */
+static void
+test_order_changes_the_way_not_the_hull (void)
+{
+  g_autoptr (Session) session = session_new ();
+  const Trace *trace;
+
+  run (session, "sites",
+       g_variant_new_string ("0 0; 8 1; 3 9; 4 4; 7 6; 2 5; 5 2"));
+  run (session, "order", g_variant_new_string ("input"));
+  trace = session_get_trace (session);
+  for (guint i = 0; i < trace->n_rounds; i++)
+    g_assert_cmpuint (trace->rounds[i].site, ==, 4 + i);
+  run (session, "add-site", g_variant_new ("(dd)", 6.0, 5.0));
+  g_assert_cmpint (session_get_order (session).kind, ==, ORDER_INPUT);
+  run (session, "order", g_variant_new_string ("random 7"));
+  g_assert_cmpuint (session_get_order (session).seed, ==, 7);
+  g_assert_cmpuint (session_get_frame (session)->counts.facets, ==, 12);
+  refuse (session, "order", g_variant_new_string ("random"),
+          ACTION_ERROR_PARAMETER);
+  refuse (session, "order", g_variant_new_string ("nearest"),
+          ACTION_ERROR_PARAMETER);
 }
 
 static void
@@ -449,6 +474,8 @@ static const struct {
     test_what_the_window_does_is_refused_here },
   { "/action/parameters-of-other-types-are-refused",
     test_parameters_of_other_types_are_refused },
+  { "/action/an-order-changes-the-way-not-the-hull",
+    test_order_changes_the_way_not_the_hull },
   { "/action/every-layer-and-camera-has-its-row",
     test_every_layer_and_camera_has_its_row },
   { "/action/goto-lands-where-it-says", test_goto_lands_where_it_says },

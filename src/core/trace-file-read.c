@@ -128,7 +128,8 @@ parse_order (const char *line, Order *order)
       return "the seed is a whole number";
   } else if (!order_kind_parse (line, &order->kind)
              || order->kind == ORDER_RANDOM)
-    return "expected order furthest, input, or random and its seed";
+    return "expected order furthest, input, seeded, hilbert, or random and "
+           "its seed";
   return NULL;
 }
 

@@ -3,6 +3,7 @@
 #include "words.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
 #define ZOOM_STEP 1.25
 
@@ -65,6 +66,39 @@ ACTION_RUN (action_focus)
     names[i] = focus_name ((Focus)i);
   return refuse (_ ("nothing called “%s” can be in focus%s; write %s"), name,
                  names, error);
+}
+
+/* "random S" has a seed, the others have none. */
+static gboolean
+read_order (const char *text, Order *order)
+{
+  const char *seed = strchr (text, ' ');
+  g_autofree char *name
+      = seed == NULL ? g_strdup (text) : g_strndup (text, seed - text);
+
+  if (!order_kind_parse (name, &order->kind)
+      || (seed != NULL) != (order->kind == ORDER_RANDOM))
+    return FALSE;
+  order->seed = 0;
+  return seed == NULL
+         || g_ascii_string_to_unsigned (seed + 1, 10, 0, G_MAXUINT64,
+                                        &order->seed, NULL);
+}
+
+ACTION_RUN (action_order)
+{
+  const char *text = g_variant_get_string (parameter, NULL);
+  const char *names[N_ORDERS + 1] = { NULL };
+  Order order;
+
+  if (read_order (text, &order)) {
+    session_set_order (session, &order);
+    return TRUE;
+  }
+  for (guint i = 0; i < N_ORDERS; i++)
+    names[i] = order_kind_name ((OrderKind)i);
+  names[ORDER_RANDOM] = "random S";
+  return refuse (_ ("there is no order “%s”%s; write %s"), text, names, error);
 }
 
 /* Returns: why @object cannot be selected, translated, or NULL. */

@@ -37,6 +37,7 @@ ACTION_RUN (action_camera_preset); /* data: CameraPreset */
 ACTION_RUN (action_zoom);          /* data: ActionZoom bits */
 ACTION_RUN (action_fit);
 
+ACTION_RUN (action_order);
 ACTION_RUN (action_add_site);
 ACTION_RUN (action_move_site);
 ACTION_RUN (action_remove_site);
@@ -58,6 +59,7 @@ ACTION_STATE (action_state_phase);
 ACTION_STATE (action_state_stop); /* from 1; 0: no lesson */
 ACTION_STATE (action_state_n_stops);
 ACTION_STATE (action_state_n_sites);
+ACTION_STATE (action_state_order);
 ACTION_STATE (action_state_play);
 ACTION_STATE (action_state_step_size);
 ACTION_STATE (action_state_speed);

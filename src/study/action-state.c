@@ -60,6 +60,17 @@ ACTION_STATE (action_state_layer)
       (session_get_look (session)->layers & action->data) != 0);
 }
 
+ACTION_STATE (action_state_order)
+{
+  const Order order = session_get_order (session);
+  const char *name = order_kind_name (order.kind);
+
+  if (order.kind != ORDER_RANDOM)
+    return g_variant_new_string (name);
+  return g_variant_new_take_string (
+      g_strdup_printf ("%s %" G_GUINT64_FORMAT, name, order.seed));
+}
+
 ACTION_STATE (action_state_focus)
 {
   return g_variant_new_string (focus_name (session_get_look (session)->focus));

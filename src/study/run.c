@@ -3,9 +3,8 @@
 #include "timeline.h"
 
 Run *
-run_new (const Site *sites, guint n_sites)
+run_new (const Site *sites, guint n_sites, const Order *order)
 {
-  const Order order = { ORDER_FURTHEST, 0 };
   SiteSet *set = site_set_new (sites, n_sites);
   Run *run;
 
@@ -14,7 +13,7 @@ run_new (const Site *sites, guint n_sites)
   run = g_new0 (Run, 1);
   run->reference_count = 1;
   run->set = set;
-  run->trace = trace_record (set, &order);
+  run->trace = trace_record (set, order);
   return run;
 }
 
@@ -46,9 +45,10 @@ run_given (const Run *run)
 }
 
 gboolean
-run_is_of (const Run *run, const Site *sites, guint n_sites)
+run_is_of (const Run *run, const Site *sites, guint n_sites, const Order *order)
 {
-  if (run->set->n_sites != n_sites)
+  if (run->set->n_sites != n_sites || run->trace->order.kind != order->kind
+      || run->trace->order.seed != order->seed)
     return FALSE;
   for (guint i = 0; i < n_sites; i++) {
     const Site site = site_set_given (run->set, i);

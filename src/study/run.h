@@ -15,9 +15,9 @@ typedef struct Run {
   Trace *trace;
 } Run;
 
-/* Returns: (transfer full): the run of @sites, furthest site first, or NULL
- *          when no exact scaling fits them. */
-Run *run_new (const Site *sites, guint n_sites);
+/* Returns: (transfer full): the run of @sites in @order, or NULL when no exact
+ *          scaling fits them. */
+Run *run_new (const Site *sites, guint n_sites, const Order *order);
 Run *run_ref (Run *run);
 void run_unref (Run *run);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (Run, run_unref)
@@ -25,8 +25,11 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC (Run, run_unref)
 /* Returns: (transfer full): the coordinates as given, n_sites of them. */
 Site *run_given (const Run *run);
 
-/* Returns: whether it is the run of exactly these sites. */
-gboolean run_is_of (const Run *run, const Site *sites, guint n_sites);
+/* Returns: whether it is the run of exactly these sites in this order. */
+gboolean run_is_of (const Run *run,
+                    const Site *sites,
+                    guint n_sites,
+                    const Order *order);
 
 /* Returns: the step of @to at the same place as @step of @from: as far into
  *          the same phase of the same round. At the end it stays at the end,

@@ -8,22 +8,24 @@
  * the view to its border. */
 #define GRID_BITS 6
 
-/* Returns: (transfer full): the run of @sites; the lesson's own when they are
- *          the sites of its stop, so that its steps are valid again. */
+/* Returns: (transfer full): the run of @sites in the session's order; the
+ *          lesson's own when they are the sites of its stop, so that its steps
+ *          are valid again. */
 static Run *
 make_run (Session *session, const Site *sites, guint n_sites, GError **error)
 {
+  const Order *order = &session->run->trace->order;
   Run *run;
 
   if (session->is_replaying)
     session->n_sites_made += n_sites;
   else if (session->lesson != NULL) {
     run = lesson_stop (session->lesson, session->stop)->state->run;
-    if (run_is_of (run, sites, n_sites))
+    if (run_is_of (run, sites, n_sites, order))
       return run_ref (run);
   }
 
-  run = run_new (sites, n_sites);
+  run = run_new (sites, n_sites, order);
   if (run == NULL)
     g_set_error (error, SESSION_ERROR, SESSION_ERROR_RANGE,
                  _ ("these coordinates are too far apart in size to be "
@@ -83,6 +85,34 @@ put_edit (Session *session, Run *run, char *edit)
       session, keep_object (session->look.selection, run->set->n_sites));
   session_release (session);
   run_unref (before);
+}
+
+Order
+session_get_order (Session *session)
+{
+  return session->run->trace->order;
+}
+
+void
+session_set_order (Session *session, const Order *order)
+{
+  g_autofree Site *sites = run_given (session->run);
+  const guint n_sites = session->run->set->n_sites;
+  Run *run;
+
+  if (run_is_of (session->run, sites, n_sites, order))
+    return;
+  if (session->is_replaying)
+    session->n_sites_made += n_sites;
+  run = run_new (sites, n_sites, order);
+  session_hold (session);
+  session_end_edit (session);
+  session_put_run (session, run,
+                   run_same_place (session->run, session->step, run));
+  session_set_selection (session,
+                         keep_object (session->look.selection, n_sites));
+  session_set_hover (session, (Object){ OBJECT_NONE, 0 });
+  session_release (session);
 }
 
 gboolean

@@ -39,7 +39,7 @@ step_size_parse (const char *name, StepSize *size)
 static void
 session_init (Session *session)
 {
-  session->run = run_new (NULL, 0);
+  session->run = run_new (NULL, 0, &(Order){ ORDER_FURTHEST, 0 });
   session->step = session->run->trace->n_events;
   session->history = history_new ();
   session->speed = 1;

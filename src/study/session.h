@@ -58,6 +58,11 @@ typedef enum SessionError {
 const SiteSet *session_get_set (Session *session);
 const Trace *session_get_trace (Session *session);
 
+/* Which site comes next: QuickHull's furthest to begin with. Edits keep the
+ * order. */
+Order session_get_order (Session *session);
+void session_set_order (Session *session, const Order *order);
+
 /* Replaces all sites, fits the views and goes to the last step. */
 gboolean session_set_sites (Session *session,
                             const Site *sites,
