@@ -71,13 +71,6 @@ history_amend (History *history, Snapshot after)
   edit->after = after;
 }
 
-void
-history_clear (History *history)
-{
-  g_ptr_array_set_size (history->edits, 0);
-  history->n_done = 0;
-}
-
 /* Returns: the edit that would be undone, or NULL. */
 static const Edit *
 last_done (const History *history)

@@ -35,8 +35,6 @@ history_push (History *history, Snapshot before, Snapshot after, char *edit);
  * Owns: takes the sites of @after. */
 void history_amend (History *history, Snapshot after);
 
-void history_clear (History *history);
-
 /* Steps back (forward) and returns: the sites to show, borrowed, or NULL
  * when there is nothing to undo (redo). */
 const Snapshot *history_undo (History *history);
