@@ -153,8 +153,11 @@ test_curve_steps_to_neighbours (void)
   Site sites[N];
   uint32_t list[N];
 
-  for (uint32_t i = 0; i < N; i++)
-    sites[i] = (Site){ i % SIDE, i / SIDE };
+  for (uint32_t i = 0; i < N; i++) {
+    const uint32_t column = i % SIDE, row = i / SIDE;
+
+    sites[i] = (Site){ column, row };
+  }
   hilbert_sort (sites, N, list);
   for (uint32_t i = 1; i < N; i++) {
     const Site *a = &sites[list[i - 1]], *b = &sites[list[i]];

@@ -23,7 +23,10 @@ uniform (Source *source)
 static Site
 on_circle (double radius, double angle)
 {
-  return (Site){ radius * cos (angle), radius * sin (angle) };
+  const double x = radius * cos (angle);
+  const double y = radius * sin (angle);
+
+  return (Site){ x, y };
 }
 
 static Site
@@ -50,7 +53,10 @@ make_clusters (Source *source)
 static Site
 make_grid (Source *source)
 {
-  return (Site){ source->i % source->side, source->i / source->side };
+  const uint32_t column = source->i % source->side;
+  const uint32_t row = source->i / source->side;
+
+  return (Site){ column, row };
 }
 
 static Site
@@ -89,7 +95,7 @@ make_spiral (Source *source)
 static Site
 make_duplicates (Source *source)
 {
-  const double side = source->side / 2;
+  const uint32_t side = source->side / 2;
   const double x = floor (side * uniform (source));
 
   return (Site){ x, floor (side * uniform (source)) };
