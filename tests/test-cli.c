@@ -428,6 +428,23 @@ put_files (void)
   put ("far.md", LESSON ("Far", "goto round 7 see\n"));
 }
 
+/* The third site to be inserted differs, so the pictures do. */
+static void
+test_export_follows_the_order (void)
+{
+  g_auto (Result) furthest = { 0 }, input = { 0 };
+  g_autofree char *first = NULL, *second = NULL;
+
+  put ("wheel.txt", "13 2\n7 12\n-4 13\n-13 4\n-10 -9\n1 -14\n11 -9\n0 0\n");
+  run (&furthest, "export --round 1 -o furthest.svg wheel.txt");
+  run (&input, "export --round 1 --order input -o input.svg wheel.txt");
+  g_assert_cmpint (furthest.status, ==, 0);
+  g_assert_cmpint (input.status, ==, 0);
+  first = get ("furthest.svg");
+  second = get ("input.svg");
+  g_assert_cmpstr (first, !=, second);
+}
+
 /* 300 sites that are nowhere near a tie. */
 static void
 put_scattered (const char *name)
@@ -489,6 +506,7 @@ static const struct {
   const char *name;
   GTestFunc run;
 } tests[] = {
+  { "/cli/export-follows-the-order", test_export_follows_the_order },
   { "/cli/count-agrees-with-the-trace", test_count_agrees_with_the_trace },
   { "/cli/walking-claims-nothing", test_walking_claims_nothing },
   { "/cli/each-failure-has-its-status-and-message",

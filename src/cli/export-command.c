@@ -10,6 +10,8 @@
 typedef struct Options {
   char *view, *event, *round, *stop, *size, *output;
   char **paths;
+  CliOrder order_options;
+  Order order; /* for points; a lesson says its own */
   PictureView view_kind;
   PictureFormat format;
   guint number; /* of the event, round or stop */
@@ -25,6 +27,7 @@ options_clear (Options *options)
   g_free (options->stop);
   g_free (options->size);
   g_free (options->output);
+  cli_order_clear (&options->order_options);
   g_strfreev (options->paths);
 }
 
@@ -122,6 +125,7 @@ options_parse (Options *options,
                  N_ ("at stop K of the lesson, from 1"), "K"),
           ENTRY ("size", 0, STRING, size,
                  N_ ("pixels of PNG, points of the others"), "WxH"),
+          CLI_ORDER_ENTRIES (&options->order_options),
           ENTRY ("output", 'o', FILENAME, output,
                  N_ ("the picture: .svg, .pdf or .png"), "OUT"),
           G_OPTION_ENTRY_NULL };
@@ -130,7 +134,8 @@ options_parse (Options *options,
   return cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,
                     &options->paths)
          && parse_view (command, options) && parse_size (command, options)
-         && parse_moment (command, options) && parse_output (command, options);
+         && parse_moment (command, options) && parse_output (command, options)
+         && cli_order (command, &options->order_options, &options->order);
 }
 
 static gboolean
@@ -217,6 +222,7 @@ cli_export (const CliCommand *command, int argc, char **argv)
   GError *error = NULL;
 
   if (options_parse (&options, command, argc, argv)) {
+    session_set_order (session, &options.order);
     if (!document_open (session, options.paths[0], &error))
       status = cli_fail (error);
     else if (goto_moment (session, &options))
