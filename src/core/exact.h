@@ -1,5 +1,11 @@
-/* Exact arithmetic behind predicate.h: expansions, sums of doubles that do
- * not overlap (Shewchuk 1997). Slow and never wrong within SITE_RANGE. */
+/* Exact arithmetic behind predicate.h, for what its filter leaves: integers
+ * where the sites lie on a grid (exact-integer.h), else 106 bits with a bound
+ * (exact-double-word.h), else expansions (exact-expansion.h). Never wrong
+ * within SITE_RANGE.
+ *
+ * Cost: about 10, 40, 100 and 1000 ns for the sign of lift_orient() on a
+ *       grid of 31 bits, on one of 62, by double words, and by expansions.
+ */
 #ifndef EXACT_H
 #define EXACT_H
 
