@@ -138,6 +138,27 @@ test_centres_of_flat_triangles_are_right (void)
   g_rand_free (random);
 }
 
+/* Nearly all of the numerator cancels. */
+static void
+test_centres_near_the_origin_are_right (void)
+{
+  GRand *random = g_rand_new_with_seed (5);
+
+  for (int i = 0; i < 10000; i++) {
+    const double radius = some_double (random, -40, 40);
+    Site site[3];
+
+    for (int k = 0; k < 3; k++) {
+      const double angle = g_rand_double_range (random, 0, 2 * G_PI);
+      const double squeeze = i % 4 == 0 ? 0x1p-30 : 1;
+
+      site[k] = (Site){ radius * squeeze * cos (angle), radius * sin (angle) };
+    }
+    assert_centre (&site[0], &site[1], &site[2]);
+  }
+  g_rand_free (random);
+}
+
 /* The coordinate of the centre that is zero must come out as zero. */
 static void
 test_centre_at_the_origin_is_exact (void)
@@ -246,6 +267,8 @@ main (int argc, char **argv)
                    test_centres_of_random_triangles_are_right);
   g_test_add_func ("/exact/centres-of-flat-triangles-are-right",
                    test_centres_of_flat_triangles_are_right);
+  g_test_add_func ("/exact/centres-near-the-origin-are-right",
+                   test_centres_near_the_origin_are_right);
   g_test_add_func ("/exact/centre-at-the-origin-is-exact",
                    test_centre_at_the_origin_is_exact);
   g_test_add_func ("/exact/signs-hold-for-inputs-that-break-doubles",

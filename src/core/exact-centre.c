@@ -2,6 +2,7 @@
 
 #include "exact-double-word.h"
 #include "exact-expansion.h"
+#include "exact-integer.h"
 
 enum {
   CENTRE_PRODUCT = 2 * EXPANSION_DIFFERENCE * EXPANSION_MINOR,
@@ -68,10 +69,12 @@ expansion_circumcentre (const Site *a, const Vector v[2])
 Site
 exact_circumcentre (const Site *a, const Site *b, const Site *c)
 {
-  const Vector v[2] = { vector_between (a, b), vector_between (a, c) };
+  const Vector v[3] = { vector_between (&(Site){ 0, 0 }, a),
+                        vector_between (a, b), vector_between (a, c) };
   Site centre;
 
-  if (double_word_circumcentre (a, v, &centre))
+  if (double_word_circumcentre (a, v + 1, &centre)
+      || integer_circumcentre (v, &centre))
     return centre;
-  return expansion_circumcentre (a, v);
+  return expansion_circumcentre (a, v + 1);
 }

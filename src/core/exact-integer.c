@@ -10,13 +10,12 @@
  */
 #include "exact-integer.h"
 
+#include "exact-wide.h"
+
 #include <math.h>
 #include <string.h>
 
 #define TWO_TO_31 0x1p31
-
-__extension__ typedef __int128 Int128;
-__extension__ typedef unsigned __int128 Uint128;
 
 /* A vector in steps of the grid. */
 typedef struct Steps {
@@ -29,18 +28,12 @@ typedef enum Grid {
   GRID_LONG,  /* of less than 2^62 */
 } Grid;
 
-/* high 2^128 + low */
-typedef struct Wide {
-  Int128 high;
-  Uint128 low;
-} Wide;
-
 /* Returns: the power of two that brings the largest coordinate below 2^31 and
  *          no further, or 0 when that is no double. */
 static inline double
 scale_to_31_bits (const Vector *v, int n)
 {
-  const int bias = DBL_MAX_EXP - 1, mantissa = DBL_MANT_DIG - 1;
+  const uint64_t bias = DBL_MAX_EXP - 1, mantissa = DBL_MANT_DIG - 1;
   double largest = 0, scale;
   uint64_t bits;
 
@@ -51,8 +44,8 @@ scale_to_31_bits (const Vector *v, int n)
     largest = larger > largest ? larger : largest;
   }
   memcpy (&bits, &largest, sizeof bits);
-  bits = (uint64_t)(2 * bias + 30) - (bits >> mantissa);
-  if (bits > (uint64_t)(2 * bias))
+  bits = 2 * bias + 30 - (bits >> mantissa);
+  if (bits > 2 * bias)
     return 0;
   bits <<= mantissa;
   memcpy (&scale, &bits, sizeof scale);
@@ -103,11 +96,10 @@ count_long (const Vector *v, int n, double scale, Steps *steps)
   return rest;
 }
 
+/* @scale is scale_to_31_bits(). */
 static inline Grid
-find_grid (const Vector *v, int n, Steps *steps)
+find_grid (const Vector *v, int n, double scale, Steps *steps)
 {
-  const double scale = scale_to_31_bits (v, n);
-
   if (scale == 0)
     return GRID_NONE;
   if (count_short (v, n, scale, steps) == 0)
@@ -130,6 +122,12 @@ long_cross (const Steps *v, const Steps *w)
 }
 
 static inline Int128
+long_square (const Steps *v)
+{
+  return (Int128)v->x * v->x + (Int128)v->y * v->y;
+}
+
+static inline Int128
 short_element (const Steps *u, const Steps *v, const Steps *w)
 {
   return (Int128)(u->x * u->x + u->y * u->y) * short_cross (v, w);
@@ -144,41 +142,9 @@ short_incircle (const Steps s[3])
 }
 
 static inline Wide
-wide_add (Wide a, Wide b)
-{
-  const Uint128 low = a.low + b.low;
-
-  return (Wide){ a.high + b.high + (low < a.low), low };
-}
-
-/* The product of factors below 2^126, by halves of 64 bits: the upper one
- * carries the sign. */
-static inline Wide
-wide_multiply (Int128 a, Int128 b)
-{
-  const int64_t a_upper = (int64_t)(a >> 64), b_upper = (int64_t)(b >> 64);
-  const uint64_t a_lower = (uint64_t)a, b_lower = (uint64_t)b;
-  const Int128 middle = (Int128)a_upper * b_lower + (Int128)b_upper * a_lower;
-  const Wide outer = { (Int128)a_upper * b_upper, (Uint128)a_lower * b_lower };
-  const Wide inner = { middle >> 64, (Uint128)middle << 64 };
-
-  return wide_add (outer, inner);
-}
-
-static inline int
-wide_compare (Wide a, Wide b)
-{
-  if (a.high != b.high)
-    return a.high > b.high ? 1 : -1;
-  return (a.low > b.low) - (a.low < b.low);
-}
-
-static inline Wide
 long_element (const Steps *u, const Steps *v, const Steps *w)
 {
-  const Int128 square = (Int128)u->x * u->x + (Int128)u->y * u->y;
-
-  return wide_multiply (square, long_cross (v, w));
+  return wide_multiply (long_square (u), long_cross (v, w));
 }
 
 static inline Wide
@@ -200,7 +166,7 @@ integer_cross (const Vector v[2], int *sign)
 {
   Steps s[2];
 
-  switch (find_grid (v, 2, s)) {
+  switch (find_grid (v, 2, scale_to_31_bits (v, 2), s)) {
   case GRID_SHORT:
     *sign = compare (short_cross (&s[0], &s[1]), 0);
     return true;
@@ -218,7 +184,7 @@ integer_incircle (const Vector v[3], int *sign)
 {
   Steps s[3];
 
-  switch (find_grid (v, 3, s)) {
+  switch (find_grid (v, 3, scale_to_31_bits (v, 3), s)) {
   case GRID_SHORT:
     *sign = compare (short_incircle (s), 0);
     return true;
@@ -236,7 +202,7 @@ integer_incircle_compare (const Vector v[6], int *sign)
 {
   Steps s[6];
 
-  switch (find_grid (v, 6, s)) {
+  switch (find_grid (v, 6, scale_to_31_bits (v, 6), s)) {
   case GRID_SHORT:
     *sign = compare (short_incircle (s), short_incircle (s + 3));
     return true;
@@ -247,4 +213,40 @@ integer_incircle_compare (const Vector v[6], int *sign)
     break;
   }
   return false;
+}
+
+/* (plus plus_square - minus minus_square + coordinate divisor) / divisor */
+static double
+centre_coordinate (Wide plus, Wide minus, int64_t coordinate, Int128 divisor)
+{
+  const Wide offset = wide_add (plus, wide_negative (minus));
+  const Wide numerator = wide_add (offset, wide_multiply (divisor, coordinate));
+
+  return wide_round (numerator) / (double)divisor;
+}
+
+bool
+integer_circumcentre (const Vector v[3], Site *centre)
+{
+  const double scale = scale_to_31_bits (v, 3);
+  Steps s[3];
+  const Grid grid = find_grid (v, 3, scale, s);
+
+  if (grid == GRID_NONE)
+    return false;
+
+  const double step = 1 / (grid == GRID_LONG ? TWO_TO_31 * scale : scale);
+  const Steps *b = &s[1], *c = &s[2];
+  const Int128 divisor = 2 * long_cross (b, c);
+  const Int128 b_square = long_square (b), c_square = long_square (c);
+
+  centre->x
+      = step
+        * centre_coordinate (wide_multiply (b_square, c->y),
+                             wide_multiply (c_square, b->y), s[0].x, divisor);
+  centre->y
+      = step
+        * centre_coordinate (wide_multiply (c_square, b->x),
+                             wide_multiply (b_square, c->x), s[0].y, divisor);
+  return true;
 }

@@ -24,4 +24,8 @@ bool integer_incircle (const Vector v[3], int *sign);
 /* Sign of the determinant of v[0] v[1] v[2] less that of v[3] v[4] v[5]. */
 bool integer_incircle_compare (const Vector v[6], int *sign);
 
+/* Centre, to a few units in the last place, of the circle through the site at
+ * v[0] from the origin and the two at v[1], v[2] from there. */
+bool integer_circumcentre (const Vector v[3], Site *centre);
+
 #endif
