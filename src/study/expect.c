@@ -2,6 +2,7 @@
 
 #include "certify.h"
 #include "narration.h"
+#include "quantity.h"
 #include "words.h"
 
 #include <glib/gi18n.h>
@@ -14,79 +15,51 @@ typedef enum ValueKind {
   VALUE_TEXT,  /* "contains" and the rest of the line */
 } ValueKind;
 
+/* The quantities come first. */
 typedef enum Key {
-  KEY_SITES,
-  KEY_INSERTED,
-  KEY_WAITING,
-  KEY_OUTSIDE_SETS,
-  KEY_ROUND,
-  KEY_STEP,
-  KEY_FACETS,
-  KEY_LOWER,
-  KEY_UPPER,
-  KEY_VERTICAL,
-  KEY_VISIBLE,
-  KEY_HORIZON,
-  KEY_CONE,
-  KEY_RETIRED,
-  KEY_TRIANGLES,
-  KEY_DELAUNAY_EDGES,
-  KEY_VORONOI_VERTICES,
-  KEY_VORONOI_EDGES, /* with two ends */
-  KEY_RAYS,          /* with one end */
-  KEY_VORONOI_LINES, /* with none */
-  N_NUMBER_KEYS,
-  KEY_PHASE = N_NUMBER_KEYS,
+  KEY_PHASE = N_QUANTITIES,
   KEY_DELAUNAY,
   KEY_NARRATION,
-  N_KEYS,
 } Key;
 
-static const char *const keys[N_KEYS + 1] = {
-  [KEY_SITES] = "sites",
-  [KEY_INSERTED] = "inserted",
-  [KEY_WAITING] = "waiting",
-  [KEY_OUTSIDE_SETS] = "outside-sets",
-  [KEY_ROUND] = "round",
-  [KEY_STEP] = "step",
-  [KEY_FACETS] = "facets",
-  [KEY_LOWER] = "lower",
-  [KEY_UPPER] = "upper",
-  [KEY_VERTICAL] = "vertical",
-  [KEY_VISIBLE] = "visible",
-  [KEY_HORIZON] = "horizon",
-  [KEY_CONE] = "cone",
-  [KEY_RETIRED] = "retired",
-  [KEY_TRIANGLES] = "triangles",
-  [KEY_DELAUNAY_EDGES] = "delaunay-edges",
-  [KEY_VORONOI_VERTICES] = "voronoi-vertices",
-  [KEY_VORONOI_EDGES] = "voronoi-edges",
-  [KEY_RAYS] = "rays",
-  [KEY_VORONOI_LINES] = "voronoi-lines",
-  [KEY_PHASE] = "phase",
-  [KEY_DELAUNAY] = "delaunay",
-  [KEY_NARRATION] = "narration",
-};
+#define N_KEYS (KEY_NARRATION + 1)
+
+/* Returns: the name of a key. */
+static const char *
+key_name (guint key)
+{
+  static const char *const others[]
+      = { [KEY_PHASE - N_QUANTITIES] = "phase",
+          [KEY_DELAUNAY - N_QUANTITIES] = "delaunay",
+          [KEY_NARRATION - N_QUANTITIES] = "narration" };
+
+  return key < N_QUANTITIES ? quantity_name ((Quantity)key)
+                            : others[key - N_QUANTITIES];
+}
 
 const char *const *
 expect_keys (void)
 {
+  static const char *keys[N_KEYS + 1];
+
+  for (guint i = 0; i < N_KEYS; i++)
+    keys[i] = key_name (i);
   return keys;
 }
 
 /* An expectation in parts. The value is what follows the key; of "narration"
  * what follows "contains". */
 typedef struct Expect {
-  Key key;
+  guint key; /* a Quantity or a Key */
   guint64 number;
   Phase phase;
   const char *value; /* points into the text */
 } Expect;
 
 static ValueKind
-value_kind (Key key)
+value_kind (guint key)
 {
-  if (key < N_NUMBER_KEYS)
+  if (key < N_QUANTITIES)
     return VALUE_NUMBER;
   if (key == KEY_PHASE)
     return VALUE_PHASE;
@@ -107,8 +80,8 @@ parse_key (const char *text, Expect *expect)
   const gsize length = strcspn (text, " \t");
 
   for (expect->key = 0; expect->key < N_KEYS; expect->key++)
-    if (strlen (keys[expect->key]) == length
-        && strncmp (keys[expect->key], text, length) == 0)
+    if (strlen (key_name (expect->key)) == length
+        && strncmp (key_name (expect->key), text, length) == 0)
       return TRUE;
   return FALSE;
 }
@@ -134,7 +107,7 @@ parse_value (Expect *expect)
 }
 
 static const char *
-value_rule (Key key)
+value_rule (guint key)
 {
   switch (value_kind (key)) {
   case VALUE_NUMBER:
@@ -154,7 +127,7 @@ static gboolean
 refuse_key (const char *text, GError **error)
 {
   g_autofree char *word = g_strndup (text, strcspn (text, " \t"));
-  g_autofree char *hint = words_hint (word, keys);
+  g_autofree char *hint = words_hint (word, expect_keys ());
 
   if (word[0] == '\0')
     g_set_error (error, LESSON_ERROR, LESSON_ERROR_BROKEN,
@@ -174,7 +147,7 @@ parse (const char *text, Expect *expect, GError **error)
   if (parse_value (expect))
     return TRUE;
   g_set_error (error, LESSON_ERROR, LESSON_ERROR_BROKEN,
-               _ ("expect %s needs %s"), keys[expect->key],
+               _ ("expect %s needs %s"), key_name (expect->key),
                value_rule (expect->key));
   return FALSE;
 }
@@ -185,45 +158,6 @@ expect_parse (const char *text, GError **error)
   Expect expect;
 
   return parse (text, &expect, error);
-}
-
-/* Sites on a line have a diagram of lines alone. */
-static guint
-count_lines (const Frame *frame)
-{
-  return frame->delaunay.dimension == 1 ? frame->counts.voronoi_edges : 0;
-}
-
-static guint
-actual_number (Session *session, Key key)
-{
-  const Frame *frame = session_get_frame (session);
-  const FrameCounts *counts = &frame->counts;
-  const guint numbers[N_NUMBER_KEYS] = {
-    [KEY_SITES] = session_get_set (session)->n_sites,
-    [KEY_INSERTED] = counts->n_inserted,
-    [KEY_WAITING] = counts->waiting,
-    [KEY_OUTSIDE_SETS] = counts->outside_sets,
-    [KEY_ROUND] = session_get_place (session).round,
-    [KEY_STEP] = session_get_step (session),
-    [KEY_FACETS] = counts->facets,
-    [KEY_LOWER] = counts->lower,
-    [KEY_UPPER] = counts->upper,
-    [KEY_VERTICAL] = counts->vertical,
-    [KEY_VISIBLE] = counts->visible,
-    [KEY_HORIZON] = counts->horizon,
-    [KEY_CONE] = counts->cone,
-    [KEY_RETIRED] = counts->retired,
-    [KEY_TRIANGLES] = counts->triangles,
-    [KEY_DELAUNAY_EDGES] = counts->delaunay_edges,
-    [KEY_VORONOI_VERTICES] = counts->voronoi_vertices,
-    [KEY_VORONOI_EDGES]
-    = counts->voronoi_edges - counts->rays - count_lines (frame),
-    [KEY_RAYS] = counts->rays,
-    [KEY_VORONOI_LINES] = count_lines (frame),
-  };
-
-  return numbers[key];
 }
 
 static gboolean
@@ -252,14 +186,16 @@ gboolean
 expect_check (Session *session, const char *text, char **actual)
 {
   Expect expect;
+  guint number;
 
   if (!parse (text, &expect, NULL))
     g_return_val_if_reached (FALSE);
 
   switch (value_kind (expect.key)) {
   case VALUE_NUMBER:
-    *actual = g_strdup_printf ("%u", actual_number (session, expect.key));
-    return actual_number (session, expect.key) == expect.number;
+    number = quantity_value (session_get_frame (session), (Quantity)expect.key);
+    *actual = g_strdup_printf ("%u", number);
+    return number == expect.number;
   case VALUE_PHASE:
     *actual = g_strdup (phase_name (session_get_place (session).phase));
     return session_get_place (session).phase == expect.phase;
