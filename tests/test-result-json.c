@@ -20,7 +20,8 @@ write_result (const Trace *trace, uint32_t step)
   Result result;
 
   result_init (&result, trace, step);
-  g_assert_true (result_json_write (&result, step == trace->n_events, file));
+  g_assert_true (result_json_write (
+      &result, (ResultForm){ step == trace->n_events, false }, file));
   g_assert_cmpint (fclose (file), ==, 0);
   result_clear (&result);
   return text;
@@ -41,7 +42,8 @@ judge_every_order (const Fixture *fixture)
     result_init_batch (&result, fixture->set, &(Order){ kind, 3 });
     if (!certify_result (&result, why))
       g_error ("%s: %s", name, why);
-    g_assert_true (result_json_write (&result, true, file));
+    g_assert_true (
+        result_json_write (&result, (ResultForm){ true, false }, file));
     g_assert_cmpint (fclose (file), ==, 0);
     oracle_judge (text, fixture->set, name);
     result_clear (&result);
@@ -226,7 +228,8 @@ test_failing_file_is_reported (void)
   g_assert_nonnull (full);
   setvbuf (full, NULL, _IONBF, 0);
   result_init (&result, fixture->trace, fixture->trace->n_events);
-  g_assert_false (result_json_write (&result, true, full));
+  g_assert_false (
+      result_json_write (&result, (ResultForm){ true, false }, full));
   result_clear (&result);
   fclose (full);
 }

@@ -8,7 +8,7 @@
 typedef struct Options {
   char *round, *output;
   CliOrder order_options;
-  gboolean verify;
+  gboolean verify, merged;
   char **paths;
   guint round_number;
   Order order;
@@ -34,6 +34,8 @@ options_parse (Options *options,
             N_ ("stop after R insertions beyond the first simplex"), "R" },
           { "verify", 0, 0, G_OPTION_ARG_NONE, &options->verify,
             N_ ("check the result independently before it is written"), NULL },
+          { "merged", 0, 0, G_OPTION_ARG_NONE, &options->merged,
+            N_ ("write facets that lie in one plane as one polygon"), NULL },
           CLI_ORDER_ENTRIES (&options->order_options),
           { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options->output,
             N_ ("write to FILE, whole or not at all"), "FILE" },
@@ -71,11 +73,25 @@ find_step (const Options *options, const Trace *trace, guint *step)
 }
 
 static gboolean
+is_well_merged (const Result *result, char why[CERTIFY_ROOM])
+{
+  gboolean is_good;
+  Merged merged;
+
+  merged_init (&merged, result);
+  is_good = certify_merged (&merged, result, why);
+  merged_clear (&merged);
+  return is_good;
+}
+
+static gboolean
 verify (const Options *options, const Result *result)
 {
   char why[CERTIFY_ROOM];
 
-  if (!options->verify || certify_result (result, why))
+  if (!options->verify
+      || (certify_result (result, why)
+          && (!options->merged || is_well_merged (result, why))))
     return TRUE;
   cli_say (_ ("%s: the result is wrong: %s"), options->paths[0], why);
   return FALSE;
@@ -89,7 +105,9 @@ write_result (const Options *options, const Result *result)
   if (!verify (options, result))
     return CLI_REFUSED;
   cli_output_begin (&output);
-  result_json_write (result, options->round == NULL, output.file);
+  result_json_write (result,
+                     (ResultForm){ options->round == NULL, options->merged },
+                     output.file);
   return cli_output_end (&output, options->output);
 }
 

@@ -9,7 +9,7 @@
 #define CERTIFY_H
 
 #include "frame.h"
-#include "result.h"
+#include "merged.h"
 
 #define CERTIFY_ROOM 160
 
@@ -36,6 +36,12 @@ bool certify_voronoi (const Voronoi *voronoi, char why[CERTIFY_ROOM]);
 
 /* All three, for a result; each triangle is the shadow of a facet. */
 bool certify_result (const Result *result, char why[CERTIFY_ROOM]);
+
+/* Checks that the polygons are those of the hull of the result, which
+ * certify_result() accepts: flat, as large as can be, closed. */
+bool certify_merged (const Merged *merged,
+                     const Result *result,
+                     char why[CERTIFY_ROOM]);
 
 /* All three, for the triangulation and the hull that a frame shows. */
 bool certify_frame (const Frame *frame, char why[CERTIFY_ROOM]);

@@ -1,5 +1,6 @@
 #include "result-json.h"
 
+#include "merged.h"
 #include "number.h"
 
 #include <math.h>
@@ -263,17 +264,42 @@ write_kinds (const Result *result, FILE *file)
 }
 
 static void
-write_hull3d (const Result *result, FILE *file)
+write_polygons (const Result *result, FILE *file)
+{
+  Merged merged;
+
+  merged_init (&merged, result);
+  fputs (",\n    \"facets\": [", file);
+  for (uint32_t i = 0; i < merged.n_polygons; i += 1) {
+    fprintf (file, "%s[", separator (i));
+    write_indices (merged.sites + merged.polygons[i].first,
+                   merged.polygons[i].n_sites, file);
+    fputs ("]", file);
+  }
+  fputs ("],\n    \"kinds\": [", file);
+  for (uint32_t i = 0; i < merged.n_polygons; i += 1)
+    fprintf (file, "%s\"%s\"", separator (i),
+             facing_name (merged.polygons[i].facing));
+  fputs ("]", file);
+  merged_clear (&merged);
+}
+
+static void
+write_hull3d (const Result *result, bool is_merged, FILE *file)
 {
   fprintf (file, "  \"hull3d\": {\n    \"dimension\": %d",
            result->delaunay.lift_dimension);
-  write_facets (result, file);
-  write_kinds (result, file);
+  if (is_merged) {
+    write_polygons (result, file);
+  } else {
+    write_facets (result, file);
+    write_kinds (result, file);
+  }
   fputs ("\n  }\n", file);
 }
 
 bool
-result_json_write (const Result *result, bool is_whole, FILE *file)
+result_json_write (const Result *result, ResultForm form, FILE *file)
 {
   const Delaunay *delaunay = &result->delaunay;
   const SiteSet *set = delaunay->set;
@@ -282,13 +308,13 @@ result_json_write (const Result *result, bool is_whole, FILE *file)
            delaunay->dimension);
   write_points (set, file);
   write_duplicates (set, file);
-  if (!is_whole)
+  if (!form.is_whole)
     write_active (delaunay, file);
   write_hull2d (delaunay, file);
   write_segments (delaunay, file);
   write_triangles (delaunay, file);
   write_voronoi (&result->voronoi, file);
-  write_hull3d (result, file);
+  write_hull3d (result, form.is_merged, file);
   fputs ("}\n", file);
   return !ferror (file);
 }

@@ -6,13 +6,17 @@
 
 #include <stdio.h>
 
+typedef struct ResultForm {
+  bool is_whole;  /* all sites are inserted; else `active` lists them */
+  bool is_merged; /* facets of one plane are one polygon (merged.h) */
+} ResultForm;
+
 /* Writes the triangulation, the diagram and the hull.
- * @is_whole: all sites are inserted; else `active` lists those that are.
  *
  * Shape: one JSON object and a newline; every number reads back as the same
  *        double, whatever the locale.
  * Returns: false when writing failed (errno).
  */
-bool result_json_write (const Result *result, bool is_whole, FILE *file);
+bool result_json_write (const Result *result, ResultForm form, FILE *file);
 
 #endif
