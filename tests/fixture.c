@@ -206,8 +206,8 @@ fixture_new (Family family, guint32 seed, guint n, OrderKind order)
       &(Order){ order, seed });
 }
 
-static guint
-soak_factor (void)
+guint
+fixture_soak_factor (void)
 {
   const char *factor = g_getenv ("HULL2VD_SOAK");
 
@@ -221,7 +221,7 @@ fixture_for_each (guint n,
                   OrderKind order,
                   void (*check) (const Fixture *fixture))
 {
-  const guint n_seeds = n * soak_factor ();
+  const guint n_seeds = n * fixture_soak_factor ();
 
   for (guint i = 0; i < n_seeds * N_FAMILIES; i++) {
     g_autoptr (Fixture) fixture

@@ -36,6 +36,9 @@ Fixture *fixture_take (char *name, SiteSet *set, const Order *order);
 void fixture_free (Fixture *fixture);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (Fixture, fixture_free)
 
+/* Returns: how many times as many seeds to try: HULL2VD_SOAK, or 1. */
+guint fixture_soak_factor (void);
+
 /* Calls @check for @n seeds of every family; HULL2VD_SOAK multiplies the
  * number of seeds. */
 void fixture_for_each (guint n,
