@@ -51,10 +51,23 @@ fixture_free (Fixture *fixture)
   g_free (fixture);
 }
 
+/* Sets that are shipped lie with the lessons. */
+static char *
+path_of_set (const char *name)
+{
+  g_autofree char *path = fixture_path ("sites", name, ".txt");
+  g_autofree char *file = g_strconcat (name, ".txt", NULL);
+
+  if (g_file_test (path, G_FILE_TEST_EXISTS))
+    return g_steal_pointer (&path);
+  return g_build_filename (g_getenv ("HULL2VD_SOURCE"), "lessons", "sites",
+                           file, NULL);
+}
+
 Fixture *
 fixture_load (const char *name, OrderKind order)
 {
-  g_autofree char *path = fixture_path ("sites", name, ".txt");
+  g_autofree char *path = path_of_set (name);
   g_autofree char *text = NULL;
   gsize length;
   SiteFileError fault;

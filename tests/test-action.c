@@ -389,6 +389,10 @@ test_sites_come_from_words (void)
     { "random 12 seed 7", 12 },
     { "grid 3 4", 12 },
     { "circle 9", 9 },
+    { "clusters 40 seed 2", 40 },
+    { "near-circle 12 seed 5", 12 },
+    { "spiral 30", 30 },
+    { "kuzmin 50 seed 1", 50 },
     { "line 5", 5 },
   };
   static const char *const bad[] = { "",
@@ -410,6 +414,10 @@ test_sites_come_from_words (void)
                                      "circle 0",
                                      "circle 8193",
                                      "line 1.5",
+                                     "clusters 5",
+                                     "spiral 5 seed 1",
+                                     "near-circle 0 seed 1",
+                                     "kuzmin 20001 seed 1",
                                      "file points.txt",
                                      "gird 3 3",
                                      "1e145 0; 1e-145 0" };

@@ -182,6 +182,130 @@ test_sets_that_do_not_exist_name_the_nearest (void)
                   "the nearest has 20000");
 }
 
+/* The sets that are no plain figures, by one name each. */
+static Site *
+make_spiral (guint n, guint64 seed, GError **error)
+{
+  (void)seed;
+  return generator_spiral (n, error);
+}
+
+static Site *(*const scatters[]) (guint n, guint64 seed, GError **error) = {
+  generator_clusters,
+  generator_near_circle,
+  generator_kuzmin,
+  make_spiral,
+};
+
+static void
+test_scattered_sites_are_distinct_grid_sites (void)
+{
+  for (guint i = 0; i < G_N_ELEMENTS (scatters); i++)
+    for (guint j = 0; j < G_N_ELEMENTS (counts); j++) {
+      g_autofree Site *sites = scatters[i](counts[j], 3, NULL);
+      g_autofree Site *again = scatters[i](counts[j], 3, NULL);
+      SiteSet *set = site_set_new (sites, counts[j]);
+
+      g_assert_cmpuint (set->n_distinct, ==, counts[j]);
+      g_assert_cmpmem (sites, counts[j] * sizeof *sites, again,
+                       counts[j] * sizeof *again);
+      assert_inside (sites, counts[j]);
+      for (guint k = 0; k < counts[j]; k++)
+        g_assert_cmpfloat (fmod (ldexp (sites[k].x, 24), 1), ==, 0);
+      site_set_free (set);
+    }
+}
+
+static void
+test_the_largest_scattered_sets_exist (void)
+{
+  for (guint i = 0; i < G_N_ELEMENTS (scatters); i++) {
+    g_autofree Site *sites = scatters[i](GENERATOR_MAX, 1, NULL);
+    SiteSet *set = site_set_new (sites, GENERATOR_MAX);
+
+    g_assert_cmpuint (set->n_distinct, ==, GENERATOR_MAX);
+    site_set_free (set);
+  }
+}
+
+/* The share of sites within @radius of the origin. */
+static double
+share_within (const Site *sites, guint n, double radius)
+{
+  guint n_within = 0;
+
+  for (guint i = 0; i < n; i++)
+    n_within += hypot (sites[i].x, sites[i].y) <= radius ? 1 : 0;
+  return (double)n_within / n;
+}
+
+static void
+test_kuzmin_crowds_in_the_middle (void)
+{
+  g_autofree Site *sites = generator_kuzmin (4000, 9, NULL);
+
+  /* 1 - 1/√(1 + r²), r in 32nds, of those that are not cut off. */
+  g_assert_cmpfloat (fabs (share_within (sites, 4000, 1 / 32.0) - 0.302), <,
+                     0.03);
+  g_assert_cmpfloat (fabs (share_within (sites, 4000, 8 / 32.0) - 0.90), <,
+                     0.03);
+}
+
+static void
+test_clusters_leave_most_of_the_square_empty (void)
+{
+  g_autofree Site *sites = generator_clusters (400, 2, NULL);
+  guint n_squares = 0;
+  gboolean taken[256] = { FALSE };
+
+  for (guint i = 0; i < 400; i++) {
+    const guint column = (guint)CLAMP (8 * (sites[i].x + 1), 0, 15);
+    const guint row = (guint)CLAMP (8 * (sites[i].y + 1), 0, 15);
+
+    n_squares += taken[16 * row + column] ? 0 : 1;
+    taken[16 * row + column] = TRUE;
+  }
+  /* Of 256; sites all over the square reach four in five of them. */
+  g_assert_cmpuint (n_squares, <, 110);
+}
+
+static void
+test_near_circles_are_near_and_not_exact (void)
+{
+  const guint n = 64;
+  g_autofree Site *sites = generator_near_circle (n, 5, NULL);
+  guint n_distinct, n_on = 0;
+  Judge *judge = judge_of (sites, n, &n_distinct);
+
+  for (guint i = 0; i < n; i++)
+    g_assert_cmpfloat (fabs (hypot (sites[i].x, sites[i].y) - 1), <, 0x1p-9);
+  for (guint i = 3; i < n; i++)
+    n_on
+        += judge_circle (judge, (const guint32[]){ 0, 1, 2 }, i) == 0 ? 1u : 0u;
+  g_assert_cmpuint (n_on, <, 4);
+  judge_free (judge);
+}
+
+/* The distance to the next site is never much more than on average. */
+static void
+test_spirals_are_evenly_spaced (void)
+{
+  const guint n = 200;
+  g_autofree Site *sites = generator_spiral (n, NULL);
+  double least = 4, most = 0;
+
+  for (guint i = 10; i + 1 < n; i++) {
+    const double gap
+        = hypot (sites[i + 1].x - sites[i].x, sites[i + 1].y - sites[i].y);
+
+    g_assert_cmpfloat (hypot (sites[i].x, sites[i].y), <,
+                       hypot (sites[i + 1].x, sites[i + 1].y) + 0.01);
+    least = MIN (least, gap);
+    most = MAX (most, gap);
+  }
+  g_assert_cmpfloat (most, <, 1.3 * least);
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -199,6 +323,17 @@ static const struct {
     test_random_sites_reach_every_quarter },
   { "/generator/a-seed-gives-the-same-sites-for-ever",
     test_a_seed_gives_the_same_sites_for_ever },
+  { "/generator/scattered-sites-are-distinct-grid-sites",
+    test_scattered_sites_are_distinct_grid_sites },
+  { "/generator/the-largest-scattered-sets-exist",
+    test_the_largest_scattered_sets_exist },
+  { "/generator/kuzmin-crowds-in-the-middle",
+    test_kuzmin_crowds_in_the_middle },
+  { "/generator/clusters-leave-most-of-the-square-empty",
+    test_clusters_leave_most_of_the_square_empty },
+  { "/generator/near-circles-are-near-and-not-exact",
+    test_near_circles_are_near_and_not_exact },
+  { "/generator/spirals-are-evenly-spaced", test_spirals_are_evenly_spaced },
   { "/generator/sets-that-do-not-exist-name-the-nearest",
     test_sets_that_do_not_exist_name_the_nearest },
 };

@@ -350,8 +350,9 @@ static const Action table[] = {
     .run = action_remove_site },
   { .name = "sites",
     .parameter = "s",
-    .sentence = N_ ("Replace all sites: x y; x y; …, random N seed S, grid W "
-                    "H, circle N or line N"),
+    .sentence = N_ ("Replace all sites: x y; x y; …, random N seed S, "
+                    "clusters N seed S, grid W H, circle N, near-circle N "
+                    "seed S, line N, spiral N or kuzmin N seed S"),
     .where = ACTION_IN_LESSON | ACTION_IN_WINDOW,
     .run = action_sites },
   { .name = "delete-selection",

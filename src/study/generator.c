@@ -1,4 +1,4 @@
-#include "generator.h"
+#include "generator-private.h"
 
 #include "order.h"
 
@@ -9,8 +9,8 @@
 
 G_DEFINE_QUARK (generator - error - quark, generator_error)
 
-static gboolean
-check_count (guint64 n, guint most, GError **error)
+gboolean
+generator_check_count (guint64 n, guint most, GError **error)
 {
   g_autofree char *wanted = g_strdup_printf ("%" G_GUINT64_FORMAT, n);
 
@@ -22,10 +22,8 @@ check_count (guint64 n, guint most, GError **error)
   return FALSE;
 }
 
-/* Returns: the bits of the finest grid needed to keep @n random sites apart,
- *          at least six: few enough digits to read. */
-static int
-random_bits (guint n)
+int
+generator_bits (guint n)
 {
   int bits = 6;
 
@@ -34,9 +32,8 @@ random_bits (guint n)
   return bits;
 }
 
-/* Returns: a number from 0 to @most. */
-static guint32
-random_below (guint64 *state, guint32 most)
+guint32
+generator_below (guint64 *state, guint32 most)
 {
   return (guint32)(((order_random (state) >> 32) * (most + 1)) >> 32);
 }
@@ -45,17 +42,17 @@ Site *
 generator_random (guint n, guint64 seed, GError **error)
 {
   g_autoptr (GHashTable) taken = g_hash_table_new (NULL, NULL);
-  const int bits = random_bits (n);
+  const int bits = generator_bits (n);
   const guint32 most = (guint32)2 << bits;
   guint64 state = seed;
   Site *sites;
 
-  if (!check_count (n, GENERATOR_MAX, error))
+  if (!generator_check_count (n, GENERATOR_MAX, error))
     return NULL;
   sites = g_new (Site, n);
   for (guint i = 0; i < n;) {
-    const guint32 x = random_below (&state, most);
-    const guint32 y = random_below (&state, most);
+    const guint32 x = generator_below (&state, most);
+    const guint32 y = generator_below (&state, most);
 
     if (!g_hash_table_add (taken, GUINT_TO_POINTER (x * (most + 1) + y)))
       continue;
@@ -87,7 +84,7 @@ generator_grid (guint width, guint height, GError **error)
   const int exponent = fit_exponent (MAX (width, height) - 1.0);
   Site *sites;
 
-  if (!check_count (n, GENERATOR_MAX, error))
+  if (!generator_check_count (n, GENERATOR_MAX, error))
     return NULL;
   sites = g_new (Site, n);
   for (guint i = 0; i < n; i++) {
@@ -106,7 +103,7 @@ generator_line (guint n, GError **error)
   Site *sites;
   double length = 0, at = 0;
 
-  if (!check_count (n, GENERATOR_MAX, error))
+  if (!generator_check_count (n, GENERATOR_MAX, error))
     return NULL;
   for (guint i = 0; i + 1 < n; i++)
     length += gaps[i % G_N_ELEMENTS (gaps)];
@@ -202,7 +199,7 @@ generator_circle (guint n, GError **error)
   double radius;
   Site *sites;
 
-  if (!check_count (n, GENERATOR_CIRCLE_MAX, error))
+  if (!generator_check_count (n, GENERATOR_CIRCLE_MAX, error))
     return NULL;
   points = circle_points (circle_primes (n));
   n_points = 4u << circle_primes (n);

@@ -24,6 +24,23 @@ typedef enum GeneratorError {
 /* Distinct sites, uniform in the square. The same everywhere. */
 Site *generator_random (guint n, guint64 seed, GError **error);
 
+/* Distinct sites crowded round a few centres. */
+Site *generator_clusters (guint n, guint64 seed, GError **error);
+
+/* Distinct sites as near to the circle of radius 1 as the grid allows: rounded
+ * to it, so that hardly four of them lie on one circle. */
+Site *generator_near_circle (guint n, guint64 seed, GError **error);
+
+/* Distinct sites, crowded in the middle and few outside, as stars in a
+ * galaxy.
+ *
+ * Source: the Kuzmin distribution, as in Shewchuk 1996: a share
+ *         1 - 1/√(1 + r²) of them lies within r. */
+Site *generator_kuzmin (guint n, guint64 seed, GError **error);
+
+/* From the middle outwards, evenly spaced. */
+Site *generator_spiral (guint n, GError **error);
+
 /* Rows from below, each from the left. */
 Site *generator_grid (guint width, guint height, GError **error);
 

@@ -35,6 +35,34 @@ make_random (const guint64 *numbers, guint *n_sites, GError **error)
 }
 
 static Site *
+make_clusters (const guint64 *numbers, guint *n_sites, GError **error)
+{
+  *n_sites = as_count (numbers[0]);
+  return generator_clusters (*n_sites, numbers[1], error);
+}
+
+static Site *
+make_near_circle (const guint64 *numbers, guint *n_sites, GError **error)
+{
+  *n_sites = as_count (numbers[0]);
+  return generator_near_circle (*n_sites, numbers[1], error);
+}
+
+static Site *
+make_kuzmin (const guint64 *numbers, guint *n_sites, GError **error)
+{
+  *n_sites = as_count (numbers[0]);
+  return generator_kuzmin (*n_sites, numbers[1], error);
+}
+
+static Site *
+make_spiral (const guint64 *numbers, guint *n_sites, GError **error)
+{
+  *n_sites = as_count (numbers[0]);
+  return generator_spiral (*n_sites, error);
+}
+
+static Site *
 make_grid (const guint64 *numbers, guint *n_sites, GError **error)
 {
   const guint width = as_count (numbers[0]), height = as_count (numbers[1]);
@@ -59,9 +87,13 @@ make_line (const guint64 *numbers, guint *n_sites, GError **error)
 
 static const Rule rules[] = {
   { "random N seed S", make_random },
+  { "clusters N seed S", make_clusters },
   { "grid W H", make_grid },
   { "circle N", make_circle },
+  { "near-circle N seed S", make_near_circle },
   { "line N", make_line },
+  { "spiral N", make_spiral },
+  { "kuzmin N seed S", make_kuzmin },
 };
 
 /* Capital letters of a pattern stand for whole numbers. */
@@ -174,12 +206,14 @@ static void
 refuse_word (const char *word, GError **error)
 {
   static const char *const names[]
-      = { "random", "grid", "circle", "line", NULL };
+      = { "random", "clusters", "grid",   "circle", "near-circle",
+          "line",   "spiral",   "kuzmin", NULL };
   g_autofree char *hint = words_hint (word, names);
 
   g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
-               _ ("“%s” makes no sites%s; write “x y; x y; …”, random, grid, "
-                  "circle or line"),
+               _ ("“%s” makes no sites%s; write “x y; x y; …”, random, "
+                  "clusters, grid, circle, near-circle, line, spiral or "
+                  "kuzmin"),
                word, hint);
 }
 
