@@ -46,6 +46,8 @@ static const Theme light = {
                      .line = HEX (SHEET_GOLD, 0.42), .width = 1 },
     [ROLE_RIM] = { .line = HEX (SHEET_GOLD, 1), .width = 1.3 },
     [ROLE_CELL] = { .fill = HEX (0xffffff, 1) },
+    [ROLE_FURTHEST_CELL] = { .fill = HEX (0xffffff, 1) },
+    [ROLE_TANGENT] = { .fill = HEX (0xffffff, 0.85), .is_shaded = true },
     [ROLE_LOWER] = { .fill = HEX (0x56b4e9, 0.66), .is_shaded = true },
     [ROLE_UPPER] = { .fill = HEX (0x3d8b40, 0.42), .is_shaded = true },
     [ROLE_VERTICAL] = { .fill = HEX (0x9a9996, 0.4), .hatch = HATCH_CROSSED,
@@ -64,6 +66,11 @@ static const Theme light = {
                           .line = HEX (CONE_DARK, 0.8), .is_shaded = true },
     [ROLE_SELECTED_FACET] = { .line = HEX (DELAUNAY_BLUE, 1), .width = 4,
                               .casing = 7 },
+    [ROLE_SELECTED] = { .fill = HEX (0xe01b6a, 0.2) },
+    [ROLE_PREVIEW_TRIANGLE] = { .fill = HEX (0x7a3fc0, 0.1) },
+    [ROLE_PREVIEW_STOLEN] = { .fill = HEX (0x7a3fc0, 0.16) },
+    [ROLE_PLANE] = { .fill = HEX (0xb39ddb, 0.3),
+                     .line = HEX (0x7a3fc0, 1), .width = 1.2 },
     [ROLE_CIRCLE] = { .line = HEX (0x4a86c5, 1), .width = 1.1 },
     [ROLE_CIRCLE_VISIBLE] = { .line = HEX (VISIBLE_ORANGE, 1), .width = 2,
                               .dash = 8, .gap = 5 },
@@ -71,8 +78,19 @@ static const Theme light = {
                             .dash = 0.5, .gap = 5 },
     [ROLE_CIRCLE_SELECTED] = { .line = HEX (APEX_MAGENTA, 1), .width = 2,
                                .dash = 12, .gap = 4 },
+    [ROLE_ELLIPSE] = { .line = HEX (APEX_MAGENTA, 1), .width = 2.6 },
     [ROLE_VORONOI_EDGE] = { .line = HEX (VORONOI_GREY, 1), .width = 1.3 },
     [ROLE_DELAUNAY_EDGE] = { .line = HEX (DELAUNAY_BLUE, 1), .width = 2.6 },
+    [ROLE_TANGENT_EDGE] = { .line = HEX (VORONOI_GREY, 1), .width = 1.5 },
+    [ROLE_FURTHEST_EDGE] = { .line = HEX (0x2f7033, 1), .width = 2.4,
+                             .dash = 10, .gap = 3 },
+    [ROLE_FURTHEST_VORONOI] = { .line = HEX (0x8a5a00, 1), .width = 1.8,
+                                .dash = 7, .gap = 3 },
+    [ROLE_PREVIEW_EDGE] = { .line = HEX (0x7a3fc0, 1), .width = 1.8,
+                            .dash = 5, .gap = 4 },
+    [ROLE_PREVIEW_CELL] = { .line = HEX (0x7a3fc0, 1), .width = 1.8,
+                            .dash = 2, .gap = 3 },
+    [ROLE_CONTOUR] = { .line = HEX (SHEET_GOLD, 1), .width = 1 },
     [ROLE_FREE_EDGE] = { .line = HEX (DELAUNAY_BLUE, 1), .width = 1.8,
                          .dash = 6, .gap = 5 },
     [ROLE_RIDGE] = { .line = HEX (0x27496d, 1), .width = 1.5 },
@@ -89,6 +107,8 @@ static const Theme light = {
                             .dash = 4, .gap = 4 },
     [ROLE_DROP] = { .line = HEX (DELAUNAY_BLUE, 1), .width = 2.6,
                     .dash = 0.1, .gap = 5 },
+    [ROLE_GAP] = { .line = HEX (APEX_MAGENTA, 1), .width = 3.6,
+                   .casing = 6.5 },
     [ROLE_LIT] = { .line = HEX (APEX_MAGENTA, 1), .width = 3, .casing = 5.5 },
     [ROLE_VORONOI_VERTEX] = { .line = HEX (VORONOI_GREY, 1),
                               .mark = MARK_DOT, .radius = 2.3 },
@@ -96,6 +116,13 @@ static const Theme light = {
                                     .line = HEX (VISIBLE_ORANGE, 1),
                                     .width = 2, .mark = MARK_DIAMOND,
                                     .radius = 6.5 },
+    [ROLE_FURTHEST_VERTEX] = { .fill = HEX (0xffffff, 1),
+                               .line = HEX (0x8a5a00, 1), .width = 1.8,
+                               .mark = MARK_HOLLOW, .radius = 3.4 },
+    [ROLE_PREVIEW_SITE] = { .fill = HEX (0xffffff, 1),
+                            .line = HEX (0x7a3fc0, 1), .width = 2,
+                            .casing = 1.4, .mark = MARK_HOLLOW,
+                            .radius = 5 },
     [ROLE_FOOT] = { .line = HEX (0x5e5c64, 1), .mark = MARK_DOT,
                     .radius = 2.8 },
     [ROLE_FOOT_APEX] = { .line = HEX (APEX_MAGENTA, 1), .mark = MARK_DOT,
@@ -115,6 +142,7 @@ static const Theme light = {
     [ROLE_SITE_DUPLICATE] = { .fill = HEX (0xffffff, 1),
                               .line = HEX (SITE_BLACK, 1), .width = 1.6,
                               .mark = MARK_CROSSED, .radius = 7 },
+    [ROLE_POWER] = { .mark = MARK_NONE },
     [ROLE_FACET_NAME] = { .mark = MARK_NONE },
   },
 };
@@ -129,6 +157,13 @@ theme_get (ThemeKind kind)
   return themes[kind];
 }
 
+static bool
+is_cell (const SceneItem *item)
+{
+  return item->role == ROLE_CELL || item->role == ROLE_FURTHEST_CELL
+         || item->role == ROLE_TANGENT;
+}
+
 static Colour
 cell_colour (const Theme *theme, const SceneItem *item)
 {
@@ -138,6 +173,23 @@ cell_colour (const Theme *theme, const SceneItem *item)
       = theme->cell_lightness * (is_loud ? LOUD_LIGHTNESS : 1);
 
   return colour_oklch (lightness, chroma, GOLDEN_ANGLE * item->hue);
+}
+
+static void
+take_hue (const Theme *theme, const SceneItem *item, Style *style)
+{
+  const double alpha = style->fill.alpha;
+
+  style->fill = cell_colour (theme, item);
+  style->fill.alpha = alpha;
+}
+
+static void
+make_fade (double fade, Style *style)
+{
+  style->fill.alpha *= 1 - fade;
+  style->line.alpha *= 1 - fade;
+  style->halo.alpha *= 1 - fade;
 }
 
 static void
@@ -172,12 +224,15 @@ theme_style (const Theme *theme, const SceneItem *item)
 {
   Style style = theme->styles[item->role];
 
-  if (item->role == ROLE_CELL)
-    style.fill = cell_colour (theme, item);
+  if (is_cell (item))
+    take_hue (theme, item, &style);
   if (item->emphasis == EMPHASIS_PALE && item->lit == LIT_NONE)
     make_pale (theme, &style);
   if (item->lit != LIT_NONE)
     make_lit (theme, item, &style);
+  make_fade (item->fade, &style);
+  if (item->fade >= 1)
+    style.casing = 0;
   style.width *= theme->line_factor;
   style.casing *= theme->line_factor;
   return style;
