@@ -40,26 +40,6 @@ static const Part part_of[N_ROLES] = {
   [ROLE_CONE_EDGE] = PART_CONE,
 };
 
-/* The answer to what a person asked for, in whatever phase. */
-static bool
-is_answer (Role role)
-{
-  switch ((int)role) {
-  case ROLE_SELECTED:
-  case ROLE_PLANE:
-  case ROLE_ELLIPSE:
-  case ROLE_GAP:
-  case ROLE_POWER:
-  case ROLE_PREVIEW_TRIANGLE:
-  case ROLE_PREVIEW_STOLEN:
-  case ROLE_PREVIEW_EDGE:
-  case ROLE_PREVIEW_CELL:
-    return true;
-  default:
-    return false;
-  }
-}
-
 static uint32_t
 parts_of_phase (Phase phase)
 {
@@ -147,7 +127,7 @@ scene_builder_init (SceneBuilder *builder,
                     const SceneLook *look)
 {
   /* No more labels than this; they must not move once they are pointed to. */
-  const uint32_t n_labels = frame->n_sites + 16;
+  const uint32_t n_labels = frame->n_sites + 8;
 
   memset (builder, 0, sizeof *builder);
   builder->scene = scene;
@@ -179,32 +159,15 @@ scene_has_layer (const SceneBuilder *builder, Layer layer)
 static Emphasis
 emphasis_of (const SceneBuilder *builder, Role role)
 {
-  const bool is_mark = role >= ROLE_PREVIEW_SITE;
+  const bool is_mark = role >= ROLE_FOOT;
 
   if (!builder->is_round)
     return EMPHASIS_NORMAL;
   if ((uint32_t)part_of[role] & builder->parts)
     return EMPHASIS_LOUD;
-  if (builder->look->focus == FOCUS_NONE || is_mark || is_answer (role))
+  if (builder->look->focus == FOCUS_NONE || is_mark)
     return EMPHASIS_NORMAL;
   return EMPHASIS_PALE;
-}
-
-static double
-fade_of (const SceneBuilder *builder, Role role)
-{
-  const SceneLook *look = builder->look;
-  double stays = 1 - look->role_fade[role];
-
-  if (!builder->scene->is_space)
-    return 1 - stays;
-  if (builder->pass == PASS_GROUND)
-    stays *= 1 - look->body_fade[BODY_PLANE];
-  if (builder->pass == PASS_SHEET_FAR)
-    stays *= 1 - look->body_fade[BODY_PARABOLOID];
-  if (builder->pass == PASS_HULL)
-    stays *= 1 - look->body_fade[BODY_HULL];
-  return 1 - stays;
 }
 
 SceneItem *
@@ -223,7 +186,6 @@ scene_add (SceneBuilder *builder, SceneShape shape, Role role, Object object)
                        .lit = scene_lit (builder, object),
                        .pass = builder->pass,
                        .object = object,
-                       .fade = fade_of (builder, role),
                        .first = scene->n_points,
                        .beside = { INDEX_NONE, INDEX_NONE } };
   return item;

@@ -28,13 +28,6 @@ ACTION_RUN (action_previous_stop);
 
 ACTION_RUN (action_show);         /* data: whether to show */
 ACTION_RUN (action_toggle_layer); /* data: Layer */
-ACTION_RUN (action_lift);
-ACTION_RUN (action_raise);
-ACTION_RUN (action_opacity);
-ACTION_RUN (action_body_opacity); /* data: Body */
-ACTION_RUN (action_reset_look);
-ACTION_RUN (action_measure);
-ACTION_RUN (action_measure_next);
 ACTION_RUN (action_focus);
 ACTION_RUN (action_select);
 ACTION_RUN (action_select_next); /* data: whether to go forwards */
@@ -43,6 +36,9 @@ ACTION_RUN (action_camera);
 ACTION_RUN (action_camera_preset); /* data: CameraPreset */
 ACTION_RUN (action_zoom);          /* data: ActionZoom bits */
 ACTION_RUN (action_fit);
+
+ACTION_RUN (action_theme);
+ACTION_RUN (action_scale); /* data: ActionScale */
 
 ACTION_RUN (action_order);
 ACTION_RUN (action_add_site);
@@ -72,10 +68,8 @@ ACTION_STATE (action_state_step_size);
 ACTION_STATE (action_state_speed);
 ACTION_STATE (action_state_layer); /* data: Layer */
 ACTION_STATE (action_state_focus);
-ACTION_STATE (action_state_lift);
-ACTION_STATE (action_state_raise);
-ACTION_STATE (action_state_body_opacity); /* data: Body */
-ACTION_STATE (action_state_measure);
+ACTION_STATE (action_state_theme);
+ACTION_STATE (action_state_scale); /* data: ActionScale */
 ACTION_STATE (action_state_selection);
 
 #define ACTION_ENABLED(name)                                                   \
@@ -97,6 +91,12 @@ typedef enum ActionZoom {
   ZOOM_SPACE = 2,
   ZOOM_IN = 4, /* else out */
 } ActionZoom;
+
+typedef enum ActionScale {
+  SCALE_LINES,
+  SCALE_MARKS,
+  SCALE_TEXT,
+} ActionScale;
 
 #define ZOOM_LEAST 0.1
 #define ZOOM_MOST 1e6

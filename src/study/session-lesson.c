@@ -11,8 +11,12 @@ session_get_state (Session *session)
 
   state->run = run_ref (session->run);
   state->step = session->step;
-  state->look = session->look;
+  state->layers = session->look.layers;
+  state->focus = session->look.focus;
+  state->selection = session->look.selection;
+  state->extent = session->look.extent;
   state->camera = session->camera;
+  state->told_theme = session->told_theme;
   return state;
 }
 
@@ -31,25 +35,22 @@ is_same_camera (const Camera *a, const Camera *b)
          && a->centre.x == b->centre.x && a->centre.y == b->centre.y
          && a->centre.z == b->centre.z && a->zoom == b->zoom
          && a->pan_x == b->pan_x && a->pan_y == b->pan_y
-         && a->is_parallel == b->is_parallel
-         && a->is_mirrored == b->is_mirrored;
+         && a->is_parallel == b->is_parallel;
 }
 
-/* The look of a stop. A camera that a person has turned since @from is kept
- * unless the lesson turns it on the way; @from NULL: it is not kept. */
+/* The look of a stop. A camera that a person has turned since @from, and a
+ * theme that a person has chosen, are kept unless the lesson changes them on
+ * the way; @from NULL: they are not kept. */
 static void
 put_look (Session *session, const StopState *from, const StopState *state)
 {
-  const Extent extent = session->look.extent;
-
-  /* Nothing is under the pointer any more. */
-  session->look = state->look;
-  session->look.hover = (Object){ OBJECT_NONE, 0 };
-  session->look.has_preview = FALSE;
-  session->look.extent = extent;
-  session_tell (session, CHANGED_LOOK);
+  session_set_layers (session, state->layers);
+  session_set_focus (session, state->focus);
+  session_set_selection (session, state->selection);
   if (from == NULL || !is_same_camera (&from->camera, &state->camera))
     session_set_camera (session, &state->camera);
+  if (from == NULL || from->told_theme != state->told_theme)
+    session_tell_theme (session, state->told_theme);
 }
 
 static void
@@ -65,8 +66,9 @@ put_state (Session *session, const StopState *from, const StopState *state)
     plane_camera_init (&session->plane_camera);
     session_tell (session, CHANGED_CAMERA);
   }
+  session->look.extent = state->extent;
+  session_tell (session, CHANGED_LOOK);
   put_look (session, from, state);
-  session->look.extent = state->look.extent;
   session_release (session);
 }
 
@@ -118,6 +120,8 @@ session_set_lesson (Session *session, Lesson *lesson)
   if (lesson != NULL)
     enter_state (session, NULL, lesson_stop (lesson_ref (lesson), 0)->state,
                  _ ("opening of a lesson"));
+  else
+    session_tell_theme (session, THEME_UNTOLD);
   session->lesson = lesson;
   session->stop = 0;
   g_clear_pointer (&old, lesson_unref);

@@ -21,6 +21,10 @@ struct _Session {
   Camera camera;
   PlaneCamera plane_camera;
 
+  Appearance appearance; /* as it is shown */
+  Appearance own;        /* as the person wants it */
+  int told_theme;        /* by the lesson: ThemeKind, or THEME_UNTOLD */
+
   StepSize step_size;
   double speed;
   gboolean is_playing;
@@ -55,6 +59,11 @@ void session_put_step (Session *session, guint step);
 /* Fits the extent to the sites; without @anyway only when they are not all
  * inside it. */
 void session_fit_extent (Session *session, gboolean anyway);
+
+#define THEME_UNTOLD (-1)
+
+/* The theme that a lesson tells, or THEME_UNTOLD. */
+void session_tell_theme (Session *session, int theme);
 
 /* Lets the stop follow the step from @old_step. */
 void session_follow_step (Session *session, guint old_step);

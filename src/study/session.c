@@ -46,10 +46,12 @@ session_init (Session *session)
   session->look.layers = LAYERS_DEFAULT;
   session->look.focus = FOCUS_ACTIVE;
   session->look.raise = RAISE_DEFAULT;
-  session->look.lift = 1;
   session->look.extent = site_set_extent (session->run->set);
   camera_init (&session->camera, CAMERA_HOME);
   plane_camera_init (&session->plane_camera);
+  appearance_init (&session->appearance);
+  appearance_init (&session->own);
+  session->told_theme = THEME_UNTOLD;
 }
 
 static void
@@ -120,7 +122,6 @@ session_put_run (Session *session, Run *run, guint step)
   const int shift = session->run->set->exponent - run->set->exponent;
   Extent *extent = &session->look.extent;
 
-  session->look.has_preview = FALSE;
   drop_frame (session);
   run_unref (session->run);
   session->run = run;

@@ -12,6 +12,7 @@
 #ifndef SESSION_H
 #define SESSION_H
 
+#include "appearance.h"
 #include "lesson.h"
 #include "scene.h"
 
@@ -20,13 +21,14 @@
 G_BEGIN_DECLS
 
 typedef enum SessionChange {
-  CHANGED_SITES = 1 << 0,   /* set and trace are new; frame too */
-  CHANGED_STEP = 1 << 1,    /* frame is new */
-  CHANGED_LOOK = 1 << 2,    /* layers, focus, selection, hover, extent */
-  CHANGED_CAMERA = 1 << 3,  /* of either view */
-  CHANGED_LESSON = 1 << 4,  /* another lesson, or another stop */
-  CHANGED_HISTORY = 1 << 5, /* what can be undone */
-  CHANGED_PLAY = 1 << 6,    /* playing, speed, step size */
+  CHANGED_SITES = 1 << 0,      /* set and trace are new; frame too */
+  CHANGED_STEP = 1 << 1,       /* frame is new */
+  CHANGED_LOOK = 1 << 2,       /* layers, focus, selection, hover, extent */
+  CHANGED_CAMERA = 1 << 3,     /* of either view */
+  CHANGED_LESSON = 1 << 4,     /* another lesson, or another stop */
+  CHANGED_HISTORY = 1 << 5,    /* what can be undone */
+  CHANGED_PLAY = 1 << 6,       /* playing, speed, step size */
+  CHANGED_APPEARANCE = 1 << 7, /* theme and sizes */
 } SessionChange;
 
 /* What "next" means. */
@@ -135,20 +137,22 @@ void session_set_layers (Session *session, guint layers);
 void session_set_focus (Session *session, Focus focus);
 void session_set_selection (Session *session, Object object);
 void session_set_hover (Session *session, Object object);
-/* Values beyond their range are brought into it. */
-void session_set_lift (Session *session, double lift);   /* 0 … 1 */
-void session_set_raise (Session *session, double raise); /* 0 … RAISE_MOST */
-void session_set_body_opacity (Session *session, Body body, double opacity);
-void session_set_role_opacity (Session *session, Role role, double opacity);
-/* Sites on the paraboloid, the paraboloid where it was, all opaque. */
-void session_reset_look (Session *session);
-void session_set_measured (Session *session, Object site);
-/* Where a site would be added, in units of SiteSet.sites; NULL: nowhere. */
-void session_set_preview (Session *session, const Site *preview);
 const Camera *session_get_camera (Session *session);
 void session_set_camera (Session *session, const Camera *camera);
 const PlaneCamera *session_get_plane_camera (Session *session);
 void session_set_plane_camera (Session *session, const PlaneCamera *camera);
+
+/* The theme and the sizes. Those of the person are kept from lesson to lesson;
+ * a theme that a lesson asks for is shown in its stead until the lesson asks
+ * for another or ends, or the person chooses one. */
+const Appearance *session_get_appearance (Session *session);
+const Appearance *session_get_own_appearance (Session *session);
+void session_set_own_appearance (Session *session,
+                                 const Appearance *appearance);
+
+/* Chooses a theme: the lesson does while its commands are carried out, else
+ * the person. */
+void session_set_theme (Session *session, ThemeKind theme);
 
 /* Fits both views to the sites; the turn of the space view is kept. */
 void session_fit (Session *session);

@@ -11,8 +11,12 @@ G_BEGIN_DECLS
 struct StopState {
   Run *run;
   guint step;
-  SceneLook look; /* without what the pointer makes of it */
+  guint layers;
+  Focus focus;
+  Object selection;
+  Extent extent;
   Camera camera;
+  int told_theme; /* ThemeKind, or -1: the lesson tells none */
 };
 
 /* Copies what it holds; free with stop_state_free(). */
