@@ -16,6 +16,7 @@
 typedef struct CanvasPrivate {
   Session *session;
   Scene scene;
+  Theme theme;
   gboolean has_scene;
   guint64 roles;            /* bit r: the scene has something of Role r */
   cairo_surface_t *picture; /* the painted scene, or NULL: to be painted */
@@ -44,6 +45,15 @@ Session *
 canvas_get_session (Canvas *canvas)
 {
   return priv (canvas)->session;
+}
+
+const Theme *
+canvas_get_theme (Canvas *canvas)
+{
+  CanvasPrivate *p = priv (canvas);
+
+  theme_init (&p->theme, session_get_appearance (p->session));
+  return &p->theme;
 }
 
 G_STATIC_ASSERT (N_ROLES <= 64);
@@ -244,20 +254,20 @@ paint (Canvas *canvas)
   p->is_rough = p->is_moving && p->cost_us > SLOW_US;
   cr = cairo_create (p->picture);
   painter_paint (cr, canvas_get_scene (canvas), &projection,
-                 theme_get (THEME_LIGHT), p->is_rough ? PAINTER_FAST : 0);
+                 canvas_get_theme (canvas), p->is_rough ? PAINTER_FAST : 0);
   cairo_destroy (cr);
   if (!p->is_rough)
     p->cost_us = g_get_monotonic_time () - start;
 }
 
 static void
-draw_ring (cairo_t *cr, const GdkRectangle *box)
+draw_ring (cairo_t *cr, const Theme *theme, const GdkRectangle *box)
 {
-  const Colour colour = theme_get (THEME_LIGHT)->selection;
+  const Colour colour = theme->selection, ground = theme->background;
 
   cairo_rectangle (cr, box->x, box->y, box->width, box->height);
   cairo_set_line_width (cr, 4);
-  cairo_set_source_rgb (cr, 1, 1, 1);
+  cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);
   cairo_stroke_preserve (cr);
   cairo_set_line_width (cr, 2);
   cairo_set_source_rgb (cr, colour.red, colour.green, colour.blue);
@@ -274,7 +284,7 @@ draw_focus (Canvas *canvas, cairo_t *cr)
   GdkRectangle box;
 
   if (canvas_locate (canvas, priv (canvas)->cursor, &box))
-    draw_ring (cr, &box);
+    draw_ring (cr, canvas_get_theme (canvas), &box);
   else
     gtk_render_focus (gtk_widget_get_style_context (widget), cr, 1, 1,
                       gtk_widget_get_allocated_width (widget) - 2,
@@ -339,7 +349,7 @@ static void
 on_changed (Session *session, guint changes, Canvas *canvas)
 {
   const guint matters = CHANGED_SITES | CHANGED_STEP | CHANGED_LOOK
-                        | CHANGED_CAMERA | CHANGED_LESSON;
+                        | CHANGED_CAMERA | CHANGED_LESSON | CHANGED_APPEARANCE;
 
   (void)session;
   if ((changes & matters) == 0)

@@ -54,6 +54,10 @@ struct _CanvasClass {
 void canvas_set_session (Canvas *canvas, Session *session);
 Session *canvas_get_session (Canvas *canvas);
 
+/* Returns: the theme in the sizes that the session wants; good until the next
+ *          call. */
+const Theme *canvas_get_theme (Canvas *canvas);
+
 /* Whether the picture shows something of @role: for the legend. */
 gboolean canvas_has_role (Canvas *canvas, Role role);
 

@@ -118,13 +118,17 @@ on_changed (Session *session, guint changes, LegendPanel *panel)
   (void)session;
   if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_LOOK))
     update (panel);
+  if (changes & CHANGED_APPEARANCE)
+    gtk_widget_queue_draw (GTK_WIDGET (panel));
 }
 
 /* On the pictures' own background, whatever the desktop's theme is. */
 static gboolean
 on_draw_swatch (GtkWidget *widget, cairo_t *cr, gpointer user)
 {
-  const Theme *theme = theme_get (THEME_LIGHT);
+  LegendPanel *panel = HULL2VD_LEGEND_PANEL (
+      gtk_widget_get_ancestor (widget, LEGEND_PANEL_TYPE));
+  const Theme *theme = canvas_get_theme (panel->views[0]);
   const Colour ground = theme->background;
 
   cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);

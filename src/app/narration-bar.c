@@ -67,6 +67,12 @@ announce (NarrationBar *bar, const char *sentence)
     g_signal_emit_by_name (accessible, "announcement", sentence);
 }
 
+static const Theme *
+get_theme (NarrationBar *bar)
+{
+  return theme_get (session_get_appearance (bar->session)->theme);
+}
+
 /* The desktop's theme says what text is read on. */
 static Colour
 get_background (NarrationBar *bar)
@@ -75,7 +81,7 @@ get_background (NarrationBar *bar)
   GdkRGBA base;
 
   if (!gtk_style_context_lookup_color (style, "theme_base_color", &base))
-    return theme_get (THEME_LIGHT)->background;
+    return get_theme (bar)->background;
   return (Colour){ base.red, base.green, base.blue, 1 };
 }
 
@@ -85,7 +91,7 @@ update (NarrationBar *bar)
   g_autofree char *sentence = session_narrate (bar->session);
   g_autofree char *markup
       = narration_to_markup (sentence, session_get_frame (bar->session),
-                             theme_get (THEME_LIGHT), get_background (bar));
+                             get_theme (bar), get_background (bar));
   g_autofree char *place = place_text (bar->session);
 
   gtk_label_set_markup (bar->sentence, markup);
@@ -97,7 +103,7 @@ static void
 on_changed (Session *session, guint changes, NarrationBar *bar)
 {
   (void)session;
-  if (changes & (CHANGED_SITES | CHANGED_STEP))
+  if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_APPEARANCE))
     update (bar);
 }
 

@@ -3,6 +3,8 @@
 #ifndef CLI_H
 #define CLI_H
 
+#include "appearance.h"
+#include "camera.h"
 #include "order.h"
 
 #include <glib.h>
@@ -88,6 +90,75 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (CliOrder, cli_order_clear)
  * Returns: FALSE after the reason and the usage line are on stderr. */
 gboolean
 cli_order (const CliCommand *command, const CliOrder *options, Order *order);
+
+/* The options that say how pictures look, as they were given. */
+typedef struct CliLook {
+  char *theme, *line_scale, *mark_scale, *text_scale, *layers, *camera;
+} CliLook;
+
+void cli_look_clear (CliLook *options);
+
+/* Reads an option's decimal number within bounds.
+ *
+ * Returns: FALSE after the reason and the usage line are on stderr. */
+gboolean cli_decimal (const CliCommand *command,
+                      const char *option,
+                      const char *value,
+                      double least,
+                      double most,
+                      double *number);
+
+/* Lets @appearance, @layers and @camera be what the options say; what they do
+ * not say is left as it is.
+ *
+ * Returns: FALSE after the reason and the usage line are on stderr. */
+gboolean cli_look (const CliCommand *command,
+                   const CliLook *options,
+                   Appearance *appearance,
+                   guint *layers,
+                   Camera *camera);
+
+#define CLI_LOOK_ENTRIES(options)                                              \
+  { "theme",                                                                   \
+    0,                                                                         \
+    0,                                                                         \
+    G_OPTION_ARG_STRING,                                                       \
+    &(options)->theme,                                                         \
+    N_ ("light, paper, projector, dark, print or contrast"),                   \
+    "THEME" },                                                                 \
+      { "layers",                                                              \
+        0,                                                                     \
+        0,                                                                     \
+        G_OPTION_ARG_STRING,                                                   \
+        &(options)->layers,                                                    \
+        N_ ("these layers alone; with + and -, more and less than else"),      \
+        "hull,-lifts…" },                                                      \
+      { "camera",                                                              \
+        0,                                                                     \
+        0,                                                                     \
+        G_OPTION_ARG_STRING,                                                   \
+        &(options)->camera,                                                    \
+        N_ ("home, look-up, look-down, side, or degrees: AZIMUTH,ELEVATION"    \
+            "[,ZOOM]"),                                                        \
+        "CAMERA" },                                                            \
+      { "line-scale",                                                          \
+        0,                                                                     \
+        0,                                                                     \
+        G_OPTION_ARG_STRING,                                                   \
+        &(options)->line_scale,                                                \
+        N_ ("heavier lines: 0.5 to 3"),                                        \
+        "L" },                                                                 \
+      { "mark-scale",                                                          \
+        0,                                                                     \
+        0,                                                                     \
+        G_OPTION_ARG_STRING,                                                   \
+        &(options)->mark_scale,                                                \
+        N_ ("larger marks: 0.5 to 3"),                                         \
+        "M" },                                                                 \
+  {                                                                            \
+    "text-scale", 0, 0, G_OPTION_ARG_STRING, &(options)->text_scale,           \
+        N_ ("larger names: 0.5 to 3"), "T"                                     \
+  }
 
 /* Puts a line on stderr, without control characters. */
 void cli_say (const char *format, ...) G_GNUC_PRINTF (1, 2);

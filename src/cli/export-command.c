@@ -12,6 +12,7 @@ typedef struct Options {
   char **paths;
   CliOrder order_options;
   Order order; /* for points; a lesson says its own */
+  CliLook look;
   PictureView view_kind;
   PictureFormat format;
   guint number; /* of the event, round or stop */
@@ -28,6 +29,7 @@ options_clear (Options *options)
   g_free (options->size);
   g_free (options->output);
   cli_order_clear (&options->order_options);
+  cli_look_clear (&options->look);
   g_strfreev (options->paths);
 }
 
@@ -105,6 +107,32 @@ parse_output (const CliCommand *command, Options *options)
   return FALSE;
 }
 
+/* The session's look where the options say nothing. */
+static gboolean
+apply_look (const CliCommand *command, Session *session, const Options *options)
+{
+  Appearance appearance = *session_get_appearance (session);
+  Camera camera = *session_get_camera (session);
+  guint layers = session_get_look (session)->layers;
+
+  if (!cli_look (command, &options->look, &appearance, &layers, &camera))
+    return FALSE;
+  session_set_theme (session, appearance.theme);
+  session_set_own_appearance (session, &appearance);
+  session_set_layers (session, layers);
+  session_set_camera (session, &camera);
+  return TRUE;
+}
+
+/* What is wrong with the look is said before a file is opened. */
+static gboolean
+parse_look (const CliCommand *command, Options *options)
+{
+  g_autoptr (Session) scratch = session_new ();
+
+  return apply_look (command, scratch, options);
+}
+
 static gboolean
 options_parse (Options *options,
                const CliCommand *command,
@@ -126,6 +154,7 @@ options_parse (Options *options,
           ENTRY ("size", 0, STRING, size,
                  N_ ("pixels of PNG, points of the others"), "WxH"),
           CLI_ORDER_ENTRIES (&options->order_options),
+          CLI_LOOK_ENTRIES (&options->look),
           ENTRY ("output", 'o', FILENAME, output,
                  N_ ("the picture: .svg, .pdf or .png"), "OUT"),
           G_OPTION_ENTRY_NULL };
@@ -135,6 +164,7 @@ options_parse (Options *options,
                     &options->paths)
          && parse_view (command, options) && parse_size (command, options)
          && parse_moment (command, options) && parse_output (command, options)
+         && parse_look (command, options)
          && cli_order (command, &options->order_options, &options->order);
 }
 
@@ -192,6 +222,7 @@ write_picture (Session *session, const Options *options)
   g_autofree char *narration = session_narrate (session);
   g_autofree char *name = g_path_get_basename (options->paths[0]);
   const Lesson *lesson = session_get_lesson (session);
+  Theme theme;
   Picture picture;
   CliOutput output;
 
@@ -199,6 +230,8 @@ write_picture (Session *session, const Options *options)
   picture.look = *session_get_look (session);
   picture.camera = *session_get_camera (session);
   picture.plane_camera = *session_get_plane_camera (session);
+  theme_init (&theme, session_get_appearance (session));
+  picture.theme = &theme;
   picture.title = lesson == NULL ? name : lesson->title;
   picture.description = narration;
   if (options->size != NULL) {
@@ -225,7 +258,8 @@ cli_export (const CliCommand *command, int argc, char **argv)
     session_set_order (session, &options.order);
     if (!document_open (session, options.paths[0], &error))
       status = cli_fail (error);
-    else if (goto_moment (session, &options))
+    else if (goto_moment (session, &options)
+             && apply_look (command, session, &options))
       status = write_picture (session, &options);
     else
       status = CLI_REFUSED;

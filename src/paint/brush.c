@@ -7,7 +7,6 @@
 #define HALO_ALPHA 0.5
 #define HALO_FILL_ALPHA 0.22
 #define HATCH_WIDTH 1.3
-#define RING_GAP 3.2 /* between the two rings of a ringed mark */
 
 void
 brush_colour (cairo_t *cr, Colour colour)
@@ -23,23 +22,22 @@ with_alpha (Colour colour, double alpha)
   return colour;
 }
 
-/* A stroke of the hatch: where x · direction + y = level crosses the polygon.
+/* A stroke of the hatch: where normal · (x, y) = level crosses the polygon.
  *
  * Returns: false when it misses. */
 static bool
 hatch_stroke (const Pixel *corners,
               uint32_t n,
-              const double line[2],
+              const double line[3],
               Pixel ends[2])
 {
-  const double slope = line[0], level = line[1];
   int n_ends = 0;
   uint32_t i;
 
   for (i = 0; i < n && n_ends < 2; i++) {
     const Pixel a = corners[i], b = corners[(i + 1) % n];
-    const double from = slope * a.x + a.y - level;
-    const double to = slope * b.x + b.y - level;
+    const double from = line[0] * a.x + line[1] * a.y - line[2];
+    const double to = line[0] * b.x + line[1] * b.y - line[2];
 
     if ((from < 0) == (to < 0))
       continue;
@@ -50,33 +48,36 @@ hatch_stroke (const Pixel *corners,
   return n_ends == 2;
 }
 
-/* All strokes at multiples of the step, so that the hatches of neighbours
+/* How the strokes of a hatch run: normal · (x, y) is a multiple of step. */
+typedef struct Strokes {
+  double normal[2], step;
+} Strokes;
+
+/* Strokes at multiples of the step, so that the hatches of neighbours
  * continue each other. Strokes are cut to the polygon here: a clip or a
  * pattern would not be written the same way twice. */
 static void
-hatch (cairo_t *cr,
-       const Pixel *corners,
-       uint32_t n,
-       const double slope_and_step[2])
+hatch (cairo_t *cr, const Pixel *corners, uint32_t n, Strokes strokes)
 {
-  const double slope = slope_and_step[0];
-  const double step = slope_and_step[1] * sqrt (2);
+  const double x = strokes.normal[0], y = strokes.normal[1];
   double low = INFINITY, high = -INFINITY;
   Pixel ends[2];
   int64_t stroke;
   uint32_t i;
 
   for (i = 0; i < n; i++) {
-    low = fmin (low, slope * corners[i].x + corners[i].y);
-    high = fmax (high, slope * corners[i].x + corners[i].y);
+    low = fmin (low, x * corners[i].x + y * corners[i].y);
+    high = fmax (high, x * corners[i].x + y * corners[i].y);
   }
-  for (stroke = (int64_t)ceil (low / step); step * (double)stroke < high;
-       stroke++)
-    if (hatch_stroke (corners, n, (double[2]){ slope, step * (double)stroke },
-                      ends)) {
+  for (stroke = (int64_t)ceil (low / strokes.step);
+       strokes.step * (double)stroke < high; stroke++) {
+    const double level = strokes.step * (double)stroke;
+
+    if (hatch_stroke (corners, n, (double[3]){ x, y, level }, ends)) {
       cairo_move_to (cr, ends[0].x, ends[0].y);
       cairo_line_to (cr, ends[1].x, ends[1].y);
     }
+  }
 }
 
 static void
@@ -87,19 +88,30 @@ hatch_polygon (cairo_t *cr,
                uint32_t n)
 {
   const double step = theme->hatch_px;
+  const double slant = step * sqrt (2);
 
   switch (style->hatch) {
   case HATCH_NONE:
     return;
   case HATCH_RISING:
-    hatch (cr, corners, n, (double[2]){ 1, step });
+    hatch (cr, corners, n, (Strokes){ { 1, 1 }, slant });
     break;
   case HATCH_FALLING:
-    hatch (cr, corners, n, (double[2]){ -1, 1.4 * step });
+    hatch (cr, corners, n, (Strokes){ { -1, 1 }, 1.4 * slant });
     break;
   case HATCH_CROSSED:
-    hatch (cr, corners, n, (double[2]){ 1, 1.2 * step });
-    hatch (cr, corners, n, (double[2]){ -1, 1.2 * step });
+    hatch (cr, corners, n, (Strokes){ { 1, 1 }, 1.2 * slant });
+    hatch (cr, corners, n, (Strokes){ { -1, 1 }, 1.2 * slant });
+    break;
+  case HATCH_LEVEL:
+    hatch (cr, corners, n, (Strokes){ { 0, 1 }, step });
+    break;
+  case HATCH_UPRIGHT:
+    hatch (cr, corners, n, (Strokes){ { 1, 0 }, step });
+    break;
+  case HATCH_GRID:
+    hatch (cr, corners, n, (Strokes){ { 0, 1 }, 1.4 * step });
+    hatch (cr, corners, n, (Strokes){ { 1, 0 }, 1.4 * step });
     break;
   }
   cairo_set_dash (cr, NULL, 0, 0);
@@ -250,7 +262,7 @@ brush_mark_reach (const Style *style)
   double reach = style->radius + style->width / 2 + style->casing;
 
   if (style->mark == MARK_RINGED)
-    reach += RING_GAP;
+    reach += style->ring_gap;
   if (style->halo.alpha > 0)
     reach += style->halo_width;
   return style->mark == MARK_NONE ? 0 : reach;
@@ -273,7 +285,7 @@ brush_mark (cairo_t *cr, const Style *style, const Theme *theme, Pixel at)
     fill_circle (cr, at, style->radius, style->line);
     break;
   case MARK_RINGED:
-    stroke_circle (cr, at, style->radius + RING_GAP, style);
+    stroke_circle (cr, at, style->radius + style->ring_gap, style);
     fill_circle (cr, at, style->radius, style->fill);
     stroke_circle (cr, at, style->radius - 0.6, style);
     break;

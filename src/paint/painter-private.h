@@ -25,8 +25,9 @@ Style painter_style (const Painter *painter, const SceneItem *item);
 /* Adds the item's path, clipped, to that of the context and to the ink. */
 void painter_trace (Painter *painter, const SceneItem *item, double width);
 
-/* Paints the side of the paraboloid that faces the eye, or the other one:
- * a thin sheet and its lines. */
+/* Paints the lines of the paraboloid on the side that faces the eye, or on the
+ * other one. The sheet itself lies behind the hull, both sides of it: a
+ * yellow one would turn blue facets into green ones. */
 void painter_paint_sheet (Painter *painter, bool is_near);
 
 void painter_paint_labels (Painter *painter);

@@ -186,14 +186,12 @@ fill_side (Painter *painter, const SceneItem *rim, bool is_near)
 {
   g_autoptr (GArray) all = pixels_of (painter, rim, N_RINGS);
   g_autoptr (GArray) opening = pixels_of (painter, rim, 1);
-  Colour fill = painter->theme->styles[ROLE_SHEET].fill;
 
   trace_hull (painter, all);
   if (looks_into (painter, rim) == is_near)
     trace_hull (painter, opening);
   cairo_set_fill_rule (painter->cr, CAIRO_FILL_RULE_EVEN_ODD);
-  fill.alpha *= 1 - rim->fade;
-  brush_colour (painter->cr, fill);
+  brush_colour (painter->cr, painter->theme->styles[ROLE_SHEET].fill);
   cairo_fill (painter->cr);
   cairo_set_fill_rule (painter->cr, CAIRO_FILL_RULE_WINDING);
 }
@@ -203,9 +201,9 @@ static void
 paint_outline (Painter *painter, const SceneItem *rim)
 {
   g_autoptr (GArray) all = pixels_of (painter, rim, N_RINGS);
-  Style style = painter->theme->styles[ROLE_RIM];
+  Style style = theme_style (painter->theme, rim);
 
-  style.line.alpha *= 0.75 * (1 - rim->fade);
+  style.line.alpha *= 0.75;
   trace_hull (painter, all);
   brush_line (painter->cr, &style);
 }
@@ -219,9 +217,11 @@ painter_paint_sheet (Painter *painter, bool is_near)
 
   if (rim == NULL)
     return;
-  fill_side (painter, rim, is_near);
-  if (!is_near)
+  if (!is_near) {
+    fill_side (painter, rim, false);
+    fill_side (painter, rim, true);
     paint_outline (painter, rim);
+  }
   for (i = 0; i < scene->n_items; i++) {
     const SceneItem *item = &scene->items[i];
     const Style style = theme_style (painter->theme, item);

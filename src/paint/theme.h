@@ -1,8 +1,15 @@
 /* Themes: how each role looks. Painters take every colour, width and dash
- * from here and from nowhere else. A further theme is a table more. */
+ * from here and from nowhere else.
+ *
+ *   Theme theme;
+ *
+ *   theme_init (&theme, &appearance);
+ *   painter_paint (cr, &scene, &projection, &theme, 0);
+ */
 #ifndef THEME_H
 #define THEME_H
 
+#include "appearance.h"
 #include "scene.h"
 
 typedef struct Colour {
@@ -14,6 +21,9 @@ typedef enum Hatch {
   HATCH_RISING,  /* strokes like / */
   HATCH_FALLING, /* strokes like \, further apart */
   HATCH_CROSSED,
+  HATCH_LEVEL,
+  HATCH_UPRIGHT,
+  HATCH_GRID, /* level and upright */
 } Hatch;
 
 typedef enum MarkShape {
@@ -37,6 +47,7 @@ typedef struct Style {
                        marks: width of the ring round them; 0: none */
   MarkShape mark;
   double radius;     /* of the mark */
+  double ring_gap;   /* between the two rings of a ringed mark */
   Colour halo;       /* round an item that is lit */
   double halo_width; /* on every side */
   bool is_shaded;    /* facets: lighter where they face the eye */
@@ -48,20 +59,21 @@ typedef struct Theme {
   Colour apex_text;   /* label of the site in hand */
   const char *font;   /* Pango family list of labels */
   double text_px;     /* labels; that of the site in hand is larger */
-  double line_factor; /* all widths are multiplied by it */
+  double line_factor; /* theme_style() multiplies widths and dashes by it */
+  double mark_factor; /* and the lengths of marks by this */
   double hatch_px;    /* between two strokes */
   double cell_lightness, cell_chroma; /* of the cells' hues, OKLCh */
-  double pale_line, pale_fill;        /* alpha of what is pale */
+  double pale_line;                   /* how far what is pale keeps its ink */
+  double pale_fill;                   /* alpha of areas that are pale */
   Style styles[N_ROLES];
+  Colour pale_lines[N_ROLES]; /* as far from the ground as must be */
 } Theme;
 
-typedef enum ThemeKind {
-  THEME_LIGHT,
-} ThemeKind;
-
-#define N_THEMES (THEME_LIGHT + 1)
-
+/* Returns: a theme in its own sizes; it lasts as long as the program. */
 const Theme *theme_get (ThemeKind kind);
+
+/* A theme in the sizes that a person wants. */
+void theme_init (Theme *theme, const Appearance *appearance);
 
 /* The style of @item: its role's, made pale or loud, lit or not. Cells take
  * a pale hue of their own, which stays with their site: neighbours in number

@@ -1,0 +1,154 @@
+#include "theme-private.h"
+
+/* A role's look in words: inks, and lengths in px. */
+typedef struct Row {
+  Ink fill, line;
+  double fill_alpha, line_alpha; /* 0: opaque */
+  Style style;                   /* all but the colours */
+} Row;
+
+static const Row rows[N_ROLES] = {
+  [ROLE_GROUND] = { .fill = INK_PAPER,
+                    .fill_alpha = 0.6,
+                    .line = INK_GROUND,
+                    .style = { .width = 1.3 } },
+  [ROLE_SHEET] = { .fill = INK_SHEET,
+                   .fill_alpha = 0.04,
+                   .line = INK_SHEET_LINE,
+                   .line_alpha = 0.42,
+                   .style = { .width = 1 } },
+  [ROLE_RIM] = { .line = INK_SHEET_LINE, .style = { .width = 1.3 } },
+  [ROLE_CELL] = { .fill = INK_PAPER },
+  [ROLE_LOWER]
+  = { .fill = INK_LOWER, .fill_alpha = 0.66, .style = { .is_shaded = true } },
+  [ROLE_UPPER]
+  = { .fill = INK_UPPER, .fill_alpha = 0.42, .style = { .is_shaded = true } },
+  [ROLE_VERTICAL] = { .fill = INK_VERTICAL,
+                      .fill_alpha = 0.4,
+                      .line = INK_VERTICAL_LINE,
+                      .line_alpha = 0.75,
+                      .style = { .hatch = HATCH_CROSSED, .is_shaded = true } },
+  [ROLE_VISIBLE] = { .fill = INK_VISIBLE,
+                     .fill_alpha = 0.17,
+                     .line = INK_VISIBLE,
+                     .style = { .hatch = HATCH_RISING } },
+  [ROLE_VISIBLE_UPPER] = { .fill = INK_VISIBLE,
+                           .fill_alpha = 0.1,
+                           .line = INK_VISIBLE_UPPER,
+                           .style = { .hatch = HATCH_FALLING } },
+  [ROLE_RETIRED]
+  = { .line = INK_VISIBLE, .style = { .width = 1.4, .dash = 3, .gap = 4 } },
+  [ROLE_CONE]
+  = { .fill = INK_CONE, .fill_alpha = 0.42, .style = { .is_shaded = true } },
+  [ROLE_CONE_UPPER]
+  = { .fill = INK_CONE,
+      .fill_alpha = 0.2,
+      .line = INK_CONE_LINE,
+      .line_alpha = 0.8,
+      .style = { .hatch = HATCH_FALLING, .is_shaded = true } },
+  [ROLE_SELECTED_FACET]
+  = { .line = INK_IN_HAND, .style = { .width = 4, .casing = 7 } },
+  [ROLE_CIRCLE] = { .line = INK_CIRCLE, .style = { .width = 1.1 } },
+  [ROLE_CIRCLE_VISIBLE]
+  = { .line = INK_VISIBLE, .style = { .width = 2, .dash = 8, .gap = 5 } },
+  [ROLE_CIRCLE_UPPER] = { .line = INK_VISIBLE_UPPER,
+                          .style = { .width = 2, .dash = 0.5, .gap = 5 } },
+  [ROLE_CIRCLE_SELECTED]
+  = { .line = INK_APEX, .style = { .width = 2, .dash = 12, .gap = 4 } },
+  [ROLE_VORONOI_EDGE] = { .line = INK_VORONOI, .style = { .width = 1.3 } },
+  [ROLE_DELAUNAY_EDGE] = { .line = INK_DELAUNAY, .style = { .width = 2.6 } },
+  [ROLE_FREE_EDGE]
+  = { .line = INK_DELAUNAY, .style = { .width = 1.8, .dash = 6, .gap = 5 } },
+  [ROLE_RIDGE] = { .line = INK_RIDGE, .style = { .width = 1.5 } },
+  [ROLE_VISIBLE_EDGE] = { .line = INK_VISIBLE, .style = { .width = 2.8 } },
+  [ROLE_CONE_EDGE] = { .line = INK_CONE_LINE, .style = { .width = 3.8 } },
+  [ROLE_HORIZON]
+  = { .line = INK_HORIZON, .style = { .width = 5, .casing = 9 } },
+  [ROLE_HORIZON_UPPER]
+  = { .line = INK_HORIZON,
+      .style = { .width = 3.6, .dash = 9, .gap = 5, .casing = 7 } },
+  [ROLE_LIFT]
+  = { .line = INK_LIFT, .style = { .width = 1.1, .dash = 4, .gap = 4 } },
+  [ROLE_LIFT_APEX]
+  = { .line = INK_APEX, .style = { .width = 2.2, .dash = 5, .gap = 4 } },
+  [ROLE_LIFT_OUTSIDE]
+  = { .line = INK_IN_HAND, .style = { .width = 1.3, .dash = 4, .gap = 4 } },
+  [ROLE_DROP]
+  = { .line = INK_IN_HAND, .style = { .width = 2.6, .dash = 0.1, .gap = 5 } },
+  [ROLE_LIT] = { .line = INK_APEX, .style = { .width = 3, .casing = 5.5 } },
+  [ROLE_VORONOI_VERTEX]
+  = { .line = INK_VORONOI, .style = { .mark = MARK_DOT, .radius = 2.3 } },
+  [ROLE_VORONOI_VERTEX_DYING]
+  = { .fill = INK_PAPER,
+      .line = INK_VISIBLE,
+      .style = { .width = 2, .mark = MARK_DIAMOND, .radius = 6.5 } },
+  [ROLE_FOOT]
+  = { .line = INK_FOOT, .style = { .mark = MARK_DOT, .radius = 2.8 } },
+  [ROLE_FOOT_APEX]
+  = { .line = INK_APEX, .style = { .mark = MARK_DOT, .radius = 4.6 } },
+  [ROLE_SITE] = { .line = INK_SITE,
+                  .style = { .casing = 1.8, .mark = MARK_DOT, .radius = 5 } },
+  [ROLE_SITE_WAITING]
+  = { .fill = INK_PAPER,
+      .line = INK_SITE,
+      .style
+      = { .width = 1.8, .casing = 1.4, .mark = MARK_HOLLOW, .radius = 4.4 } },
+  [ROLE_SITE_OUTSIDE]
+  = { .fill = INK_PAPER,
+      .line = INK_IN_HAND,
+      .style
+      = { .width = 2, .casing = 1.4, .mark = MARK_RINGED, .radius = 4.4 } },
+  [ROLE_SITE_APEX]
+  = { .line = INK_APEX,
+      .style = { .casing = 2.2, .mark = MARK_DOT, .radius = 8.5 } },
+  [ROLE_SITE_DUPLICATE]
+  = { .fill = INK_PAPER,
+      .line = INK_SITE,
+      .style = { .width = 1.6, .mark = MARK_CROSSED, .radius = 7 } },
+  [ROLE_FACET_NAME] = { .style = { .mark = MARK_NONE } },
+};
+
+Colour
+theme_colour (uint32_t rgb, double alpha)
+{
+  return (Colour){ (rgb >> 16 & 0xff) / 255.0, (rgb >> 8 & 0xff) / 255.0,
+                   (rgb & 0xff) / 255.0, alpha };
+}
+
+static Colour
+dip (const Palette *palette, Ink ink, double alpha)
+{
+  if (ink == INK_NONE)
+    return (Colour){ 0, 0, 0, 0 };
+  return theme_colour (palette->inks[ink], alpha > 0 ? alpha : 1);
+}
+
+void
+theme_dip (Theme *theme, const Palette *palette)
+{
+  int role;
+
+  *theme = (Theme){
+    .background = dip (palette, INK_BACKGROUND, 1),
+    .text = dip (palette, INK_TEXT, 1),
+    .selection = dip (palette, INK_APEX, 1),
+    .hover = dip (palette, INK_HOVER, 1),
+    .apex_text = dip (palette, INK_APEX, 1),
+    .font = "DejaVu Sans, sans",
+    .text_px = 15,
+    .line_factor = 1,
+    .mark_factor = 1,
+    .hatch_px = 8,
+    .cell_lightness = 0.955,
+    .cell_chroma = 0.028,
+    .pale_line = 0.55,
+    .pale_fill = 0.32,
+  };
+  for (role = 0; role < N_ROLES; role++) {
+    theme->styles[role] = rows[role].style;
+    theme->styles[role].fill
+        = dip (palette, rows[role].fill, rows[role].fill_alpha);
+    theme->styles[role].line
+        = dip (palette, rows[role].line, rows[role].line_alpha);
+  }
+}
