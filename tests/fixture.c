@@ -52,8 +52,8 @@ fixture_free (Fixture *fixture)
 }
 
 /* Sets that are shipped lie with the lessons. */
-static char *
-path_of_set (const char *name)
+char *
+fixture_set_path (const char *name)
 {
   g_autofree char *path = fixture_path ("sites", name, ".txt");
   g_autofree char *file = g_strconcat (name, ".txt", NULL);
@@ -67,7 +67,7 @@ path_of_set (const char *name)
 Fixture *
 fixture_load (const char *name, OrderKind order)
 {
-  g_autofree char *path = path_of_set (name);
+  g_autofree char *path = fixture_set_path (name);
   g_autofree char *text = NULL;
   gsize length;
   SiteFileError fault;

@@ -57,6 +57,9 @@ fixture_ends_with (const Fixture *fixture, uint32_t a, uint32_t b, uint32_t c);
 /* Returns: the names of all curated sets, NULL at the end. */
 const char *const *fixture_names (void);
 
+/* Returns: (transfer full): the path of a curated set. */
+char *fixture_set_path (const char *name);
+
 /* Returns: (transfer full): the path of a file below tests/. */
 char *fixture_path (const char *folder, const char *name, const char *end);
 

@@ -7,20 +7,52 @@
  *     SELECT VISIBLE… HORIZON… CONE… RETIRE… CLAIM…
  *   COMPLETE
  *
- * A hook that counts the facets that were ever made:
+ * A whole program; tests compile it from here and run it:
+ *
+ *   #include "hull.h"
+ *   #include <stdio.h>
  *
  *   static void
- *   count_facets (const Event *event, void *user)
+ *   count_cones (const Event *event, void *n_cones)
  *   {
- *     uint32_t *n_facets = user;
- *
- *     if (event->kind == EVENT_SIMPLEX || event->kind == EVENT_CONE)
- *       *n_facets += 1;
+ *     *(int *)n_cones += event->kind == EVENT_CONE;
  *   }
  *
- *   uint32_t n_facets = 0;
- *   HullHook hook = { count_facets, &n_facets };
- *   hull_build (set, &(Order){ ORDER_FURTHEST, 0 }, &hook);
+ *   int
+ *   main (void)
+ *   {
+ *     Site sites[5] = { { 0, 0 }, { 4, 0 }, { 0, 4 }, { 3, 3 }, { 1, 1 } };
+ *     SiteSet *set = site_set_new (sites, 5);
+ *     int n_cones = 0;
+ *     HullHook hook = { count_cones, &n_cones };
+ *
+ *     hull_build (set, &(Order){ ORDER_FURTHEST, 0 }, &hook);
+ *     printf ("%d cone facets\n", n_cones);
+ *     site_set_free (set);
+ *   }
+ *
+ * More of them are in tests/examples/.
+ *
+ * The words, in the order of a round:
+ *
+ *   select   The site is the furthest in the outside set of a facet: of all
+ *            sites that wait there the one with the greatest determinant, an
+ *            exact tie going to the lower index. It is the apex of the round.
+ *            Other orders than ORDER_FURTHEST select the site that is next
+ *            in theirs, and a facet that it sees.
+ *   visible  The apex sees the facet: it lies strictly on its outer side. A
+ *            lower facet is seen from inside its circle, an upper one from
+ *            outside, a vertical one from beyond its hull edge. The first is
+ *            the facet that was selected, each other a neighbour of one that
+ *            came before.
+ *   horizon  The ridges between a visible facet and one that is not, in loop
+ *            order, the visible side on the left. There are two more than
+ *            visible facets.
+ *   cone     The facet that joins a horizon ridge to the apex, in the order
+ *            of the horizon.
+ *   retire   A visible facet leaves the hull; its outside set is orphaned.
+ *   claim    An orphan goes to the first cone facet that it sees; before the
+ *            first round every site goes to the first facet of the simplex.
  *
  * Facets and sites are named by numbers. A facet's number is never reused;
  * facets are numbered in the order of their birth from 0.

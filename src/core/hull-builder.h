@@ -55,7 +55,9 @@ typedef struct HullBuilder {
   uint32_t n_sites;
   const uint32_t *first; /* of a SiteSet; NULL: duplicates are found and
                             dropped on the way */
+#ifndef HULL_BATCH
   const HullHook *hook;
+#endif
 
   HullFacet *facets;
   uint32_t n_facets, facets_room;
