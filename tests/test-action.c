@@ -115,7 +115,8 @@ test_lesson_verbs_need_no_window (void)
   /* A closed list: whoever adds to it writes its reference too. */
   g_assert_cmpstr (verbs->str, ==,
                    "next-event back-event next-phase back-phase next-round "
-                   "back-round goto show hide order focus select camera theme "
+                   "back-round goto show hide lift raise opacity reset-look "
+                   "measure order focus select camera theme "
                    "add-site move-site remove-site sites ");
 }
 

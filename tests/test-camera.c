@@ -50,6 +50,72 @@ test_look_up (void)
   }
 }
 
+/* Wherever the plane view looks, and mirrored or not. */
+static void
+test_follow (void)
+{
+  const CameraPreset presets[3]
+      = { CAMERA_LOOK_UP, CAMERA_LOOK_UP_UNMIRRORED, CAMERA_LOOK_DOWN };
+  const PlaneCamera plane = { 0.31, -0.47, 2.7 };
+  size_t i;
+  int k, x, y;
+
+  for (i = 0; i < N_SIZES; i++)
+    for (k = 0; k < 3; k++) {
+      const double w = sizes[i][0], h = sizes[i][1];
+      const Projection on_plane = plane_camera_projection (&plane, w, h);
+      const bool is_mirrored = presets[k] == CAMERA_LOOK_UP;
+      Camera space;
+      Projection on_space;
+
+      camera_init (&space, presets[k]);
+      camera_follow_plane (&space, &plane);
+      on_space = camera_projection (&space, w, h);
+      g_assert_true (camera_is_mirrored (&space) == is_mirrored);
+      for (x = -10; x <= 10; x++)
+        for (y = -10; y <= 10; y++) {
+          const Point3 site = { x / 10.0, y / 10.0, 0 };
+          const Point3 a = projection_apply (&on_plane, site);
+          const Point3 b = projection_apply (&on_space, lift (site.x, site.y));
+
+          assert_near (b.x, is_mirrored ? w - a.x : a.x, 0.5);
+          assert_near (b.y, a.y, 0.5);
+        }
+    }
+}
+
+/* A way from camera to camera begins and ends at them, and no step of it is
+ * a leap. */
+static void
+test_between (void)
+{
+  Camera from, to;
+  int a, b, i;
+
+  for (a = 0; a < N_CAMERA_PRESETS; a++)
+    for (b = 0; b < N_CAMERA_PRESETS; b++) {
+      Projection at[2];
+      Point3 last;
+
+      camera_init (&from, (CameraPreset)a);
+      camera_init (&to, (CameraPreset)b);
+      at[0] = camera_projection (&from, 500, 400);
+      at[1] = camera_projection (&to, 500, 400);
+      last = projection_apply (&at[0], lift (0.8, -0.6));
+      for (i = 0; i <= 1000; i++) {
+        const Projection here
+            = camera_projection_between (&from, &to, i / 1000.0, 500, 400);
+        const Point3 p = projection_apply (&here, lift (0.8, -0.6));
+
+        assert_near (p.x, last.x, 20);
+        assert_near (p.y, last.y, 20);
+        last = p;
+      }
+      assert_near (last.x, projection_apply (&at[1], lift (0.8, -0.6)).x, 1e-6);
+      assert_near (last.y, projection_apply (&at[1], lift (0.8, -0.6)).y, 1e-6);
+    }
+}
+
 static void
 test_home (void)
 {
@@ -314,6 +380,9 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/camera/looks-along-z-fall-on-the-plane-view", test_follow);
+  g_test_add_func ("/camera/the-way-between-cameras-has-no-leaps",
+                   test_between);
   g_test_add_func ("/camera/look-up-lays-lifts-over-the-mirrored-plane",
                    test_look_up);
   g_test_add_func ("/camera/home-sees-everything-in-any-view", test_home);

@@ -603,6 +603,115 @@ test_last_bits (void)
   }
 }
 
+/* The highest of all tangent planes over a point; a plane touches the
+ * paraboloid at its site's lift. */
+static double
+highest_tangent (const Stage *stage, Point3 at)
+{
+  double highest = -INFINITY;
+  uint32_t i;
+
+  for (i = 0; i < stage->frame.n_sites; i++) {
+    const Point3 p = scene_point (&stage->look, site_of (stage, i), true);
+
+    highest
+        = fmax (highest, p.z + 2 * p.x * (at.x - p.x) + 2 * p.y * (at.y - p.y));
+  }
+  return highest;
+}
+
+/* What is seen from above of the tangent planes is their upper envelope, cell
+ * by cell, and never below the ground. */
+static void
+test_tangents (void)
+{
+  g_autoptr (Stage) stage = stage_at_end ("lecture8");
+  guint i, k, n_cells = 0;
+
+  stage->look.layers = LAYER_TANGENTS;
+  stage_draw (stage);
+  for (i = 0; i < stage->space.n_items; i++) {
+    const SceneItem *item = &stage->space.items[i];
+
+    if (item->role != ROLE_TANGENT && item->role != ROLE_TANGENT_EDGE)
+      continue;
+    n_cells += item->role == ROLE_TANGENT;
+    for (k = 0; k < item->n; k++) {
+      const Point3 at = stage->space.points[item->first + k];
+
+      g_assert_cmpfloat (fabs (at.z - highest_tangent (stage, at)), <, 1e-9);
+      g_assert_cmpfloat (at.z, >=, -1e-12);
+    }
+  }
+  g_assert_cmpuint (n_cells, ==, 8);
+  g_assert_cmpuint (count_role (&stage->plane, ROLE_TANGENT), ==, 8);
+}
+
+/* Halfway up, a lift is halfway; at 0 lower facets lie on their triangles and
+ * what is not lower is not to be seen. */
+static void
+test_lift (void)
+{
+  g_autoptr (Stage) stage = stage_at_end ("mixed8");
+  guint i, k;
+
+  for (i = 0; i < stage->frame.n_sites; i++) {
+    const Point3 up = scene_point (&stage->look, site_of (stage, i), true);
+    SceneLook half = stage->look;
+
+    half.lift = 0.5;
+    g_assert_cmpfloat (scene_point (&half, site_of (stage, i), true).z, ==,
+                       up.z / 2);
+  }
+  stage->look.lift = 0;
+  stage_draw (stage);
+  for (i = 0; i < stage->space.n_items; i++) {
+    const SceneItem *item = &stage->space.items[i];
+
+    if (item->role == ROLE_UPPER || item->role == ROLE_VERTICAL)
+      g_assert_cmpfloat (item->fade, ==, 1);
+    if (item->role != ROLE_LOWER)
+      continue;
+    g_assert_cmpfloat (item->fade, ==, 0);
+    for (k = 0; k < item->n; k++)
+      g_assert_cmpfloat (stage->space.points[item->first + k].z, ==, 0);
+  }
+}
+
+/* What is transparent is there for no one: not for the pointer either. */
+static void
+test_opacity (void)
+{
+  g_autoptr (Stage) stage = stage_at_end ("lecture8");
+  const Pixel middle = pixel_of (&stage->on_space, (Point3){ 0.1, 0, 1.2 });
+  const double at[2] = { middle.x, middle.y };
+  Role role;
+
+  stage->look.layers = LAYER_HULL;
+  stage_draw (stage);
+  g_assert_cmpint (scene_pick (&stage->space, &stage->on_space, at, 0).kind, ==,
+                   OBJECT_FACET);
+  stage->look.body_fade[BODY_HULL] = 1;
+  stage_draw (stage);
+  g_assert_cmpint (scene_pick (&stage->space, &stage->on_space, at, 0).kind, ==,
+                   OBJECT_NONE);
+  stage->look.body_fade[BODY_HULL] = 0.5;
+  stage->look.role_fade[ROLE_LOWER] = 0.5;
+  stage_draw (stage);
+  g_assert_cmpfloat (
+      find_item (
+          &stage->space, ROLE_LOWER,
+          (Object){ OBJECT_FACET, stage->frame.delaunay.triangles[0].facet })
+          ->fade,
+      ==, 0.75);
+  for (role = 0; role < N_ROLES; role++) {
+    Role again;
+
+    g_assert_true (role_parse (role_name (role), &again));
+    g_assert_cmpint (again, ==, role);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -622,6 +731,10 @@ main (int argc, char **argv)
   g_test_add_func ("/scene/flat-input-has-pictures", test_flat);
   g_test_add_func ("/scene/scale-and-place-do-not-matter", test_scale);
   g_test_add_func ("/scene/the-last-bits-are-drawn-right", test_last_bits);
+  g_test_add_func ("/scene/tangent-planes-are-seen-where-they-are-highest",
+                   test_tangents);
+  g_test_add_func ("/scene/lifts-glide-down-to-the-triangulation", test_lift);
+  g_test_add_func ("/scene/what-is-transparent-cannot-be-picked", test_opacity);
   g_test_add_func ("/pick/a-site-takes-the-click-on-its-mark", test_pick_sites);
   g_test_add_func ("/pick/a-facet-is-the-nearest-to-the-eye",
                    test_pick_nearest);

@@ -36,6 +36,10 @@ static const MenuRow view_rows[] = {
   { N_ ("All _Circumcircles"), "layer-circumcircles" },
   { N_ ("L_ift Vectors"), "layer-lifts" },
   { N_ ("_Names"), "layer-labels" },
+  { N_ ("F_urthest-Site Diagrams"), "layer-furthest" },
+  { N_ ("Tangent Pl_anes"), "layer-tangents" },
+  { N_ ("_Why It Works"), "layer-why" },
+  { N_ ("Pre_view of a Click"), "layer-preview" },
   { NULL, "" },
   { N_ ("_Lesson"), "panel-lesson" },
   { N_ ("Pseudo-c_ode"), "panel-code" },
@@ -122,6 +126,6 @@ window_menus_init (Hull2vdWindow *window)
                          G_CALLBACK (on_lessons_wanted),
                          g_steal_pointer (&lessons),
                          (GClosureNotify)(void (*) (void))g_object_unref, 0);
-  for (CameraPreset preset = 0; preset < N_CAMERA_PRESETS; preset++)
+  for (CameraPreset preset = 0; preset <= CAMERA_SIDE; preset++)
     add_preset (window, camera_preset_name (preset));
 }

@@ -32,6 +32,7 @@ typedef struct Camera {
                       view at zoom 1 */
   double pan_x, pan_y; /* in half view heights, right and up */
   bool is_parallel;    /* no perspective */
+  bool is_mirrored;    /* left and right of the picture are exchanged */
 } Camera;
 
 /* The look at the plane. */
@@ -53,9 +54,10 @@ typedef enum CameraPreset {
                        their shadows, mirrored left-right */
   CAMERA_LOOK_DOWN, /* from above along z, parallel */
   CAMERA_SIDE,      /* level with the plane, parallel */
+  CAMERA_LOOK_UP_UNMIRRORED, /* look up, left and right as in the plane view */
 } CameraPreset;
 
-#define N_CAMERA_PRESETS (CAMERA_SIDE + 1)
+#define N_CAMERA_PRESETS (CAMERA_LOOK_UP_UNMIRRORED + 1)
 
 /* Half the side of the square of the plane that space shows, scene units. */
 #define CAMERA_GROUND 1.1
@@ -64,6 +66,16 @@ const char *camera_preset_name (CameraPreset preset); /* "look-up" … */
 bool camera_preset_parse (const char *name, CameraPreset *preset);
 
 void camera_init (Camera *camera, CameraPreset preset);
+
+/* Gives a parallel camera that looks along z the scale and the place of the
+ * plane view: at equal sizes what lies over the plane falls on the same pixel,
+ * or on the one that it is mirrored to. */
+void camera_follow_plane (Camera *camera, const PlaneCamera *plane);
+
+/* Returns: whether the picture shows the plane mirrored: seen from below and
+ *          not mirrored again. */
+bool camera_is_mirrored (const Camera *camera);
+
 void plane_camera_init (PlaneCamera *camera);
 
 /* Lets home be seen from elsewhere: the eye turned to the right by @azimuth,
@@ -85,6 +97,14 @@ camera_projection (const Camera *camera, double width, double height);
 Projection plane_camera_projection (const PlaneCamera *camera,
                                     double width,
                                     double height);
+
+/* The projection at @part, 0 … 1, of a smooth way from one camera to the
+ * other. */
+Projection camera_projection_between (const Camera *from,
+                                      const Camera *to,
+                                      double part,
+                                      double width,
+                                      double height);
 
 /* Zooms by @factor so that the scene point under a pixel stays there. */
 void plane_camera_zoom (PlaneCamera *camera,

@@ -40,6 +40,25 @@ static const Part part_of[N_ROLES] = {
   [ROLE_CONE_EDGE] = PART_CONE,
 };
 
+/* The answer to what a person asked for, in whatever phase. */
+static bool
+is_answer (Role role)
+{
+  switch ((int)role) {
+  case ROLE_PLANE:
+  case ROLE_ELLIPSE:
+  case ROLE_GAP:
+  case ROLE_POWER:
+  case ROLE_PREVIEW_TRIANGLE:
+  case ROLE_PREVIEW_STOLEN:
+  case ROLE_PREVIEW_EDGE:
+  case ROLE_PREVIEW_CELL:
+    return true;
+  default:
+    return false;
+  }
+}
+
 static uint32_t
 parts_of_phase (Phase phase)
 {
@@ -127,7 +146,7 @@ scene_builder_init (SceneBuilder *builder,
                     const SceneLook *look)
 {
   /* No more labels than this; they must not move once they are pointed to. */
-  const uint32_t n_labels = frame->n_sites + 8;
+  const uint32_t n_labels = frame->n_sites + 16;
 
   memset (builder, 0, sizeof *builder);
   builder->scene = scene;
@@ -159,15 +178,42 @@ scene_has_layer (const SceneBuilder *builder, Layer layer)
 static Emphasis
 emphasis_of (const SceneBuilder *builder, Role role)
 {
-  const bool is_mark = role >= ROLE_FOOT;
+  const bool is_mark = role >= ROLE_PREVIEW_SITE;
 
   if (!builder->is_round)
     return EMPHASIS_NORMAL;
   if ((uint32_t)part_of[role] & builder->parts)
     return EMPHASIS_LOUD;
-  if (builder->look->focus == FOCUS_NONE || is_mark)
+  if (builder->look->focus == FOCUS_NONE || is_mark || is_answer (role))
     return EMPHASIS_NORMAL;
   return EMPHASIS_PALE;
+}
+
+/* Only lower facets fall on the triangulation when the lifts come down. */
+static bool
+is_upper (Role role)
+{
+  return role == ROLE_UPPER || role == ROLE_VERTICAL
+         || role == ROLE_VISIBLE_UPPER || role == ROLE_CONE_UPPER;
+}
+
+static double
+fade_of (const SceneBuilder *builder, Role role)
+{
+  const SceneLook *look = builder->look;
+  double stays = 1 - look->role_fade[role];
+
+  if (!builder->scene->is_space)
+    return 1 - stays;
+  if (builder->pass == PASS_GROUND)
+    stays *= 1 - look->body_fade[BODY_PLANE];
+  if (builder->pass == PASS_SHEET_FAR)
+    stays *= 1 - look->body_fade[BODY_PARABOLOID];
+  if (builder->pass == PASS_HULL)
+    stays *= 1 - look->body_fade[BODY_HULL];
+  if (is_upper (role))
+    stays *= look->lift;
+  return 1 - stays;
 }
 
 SceneItem *
@@ -186,6 +232,7 @@ scene_add (SceneBuilder *builder, SceneShape shape, Role role, Object object)
                        .lit = scene_lit (builder, object),
                        .pass = builder->pass,
                        .object = object,
+                       .fade = fade_of (builder, role),
                        .first = scene->n_points,
                        .beside = { INDEX_NONE, INDEX_NONE } };
   return item;
@@ -201,6 +248,15 @@ scene_add_point (SceneBuilder *builder, Point3 point)
                                  scene->n_points + 1, sizeof *scene->points);
   scene->points[scene->n_points++] = point;
   scene->items[scene->n_items - 1].n += 1;
+}
+
+void
+scene_drop_item (SceneBuilder *builder)
+{
+  Scene *scene = builder->scene;
+
+  scene->n_items -= 1;
+  scene->n_points = scene->items[scene->n_items].first;
 }
 
 void
@@ -236,6 +292,19 @@ scene_label (SceneBuilder *builder, char letter, uint32_t number)
     return NULL;
   label = scene->labels[scene->n_labels++];
   snprintf (label, sizeof *scene->labels, "%c%u", letter, number);
+  return label;
+}
+
+const char *
+scene_text (SceneBuilder *builder, const char *text)
+{
+  Scene *scene = builder->scene;
+  char *label;
+
+  if (scene->n_labels == scene->labels_room)
+    return NULL;
+  label = scene->labels[scene->n_labels++];
+  snprintf (label, sizeof *scene->labels, "%s", text);
   return label;
 }
 

@@ -28,6 +28,9 @@ void scene_builder_clear (SceneBuilder *builder);
 SceneItem *
 scene_add (SceneBuilder *builder, SceneShape shape, Role role, Object object);
 void scene_add_point (SceneBuilder *builder, Point3 point);
+
+/* Takes back the item that was added last. */
+void scene_drop_item (SceneBuilder *builder);
 void scene_add_segment (SceneBuilder *builder,
                         Role role,
                         Object object,
@@ -40,6 +43,10 @@ void scene_add_mark (SceneBuilder *builder,
 
 /* Returns: "s7" or "f9", owned by the scene; NULL when labels are hidden. */
 const char *scene_label (SceneBuilder *builder, char letter, uint32_t number);
+
+/* Returns: a copy of @text, cut to LABEL_ROOM, owned by the scene; shown even
+ * when names are hidden. */
+const char *scene_text (SceneBuilder *builder, const char *text);
 
 /* Returns: how @object or a counterpart of it is lit. */
 Lit scene_lit (const SceneBuilder *builder, Object object);
@@ -68,9 +75,49 @@ typedef struct SceneDiagram SceneDiagram;
 
 SceneDiagram *scene_diagram_new (SceneBuilder *builder, const Point3 box[2]);
 void scene_diagram_free (SceneDiagram *diagram);
+
+/* Its cells and edges, cut off, in scene units. @corners has room for
+ * scene_diagram_room().
+ *
+ * Returns: the number of corners, 0 when there is no cell; whether a part of
+ *          the edge is left. */
+uint32_t scene_diagram_room (const SceneDiagram *diagram);
+uint32_t scene_diagram_cell (const SceneDiagram *diagram,
+                             uint32_t site,
+                             Point3 *corners);
+uint32_t scene_diagram_n_edges (const SceneDiagram *diagram);
+bool scene_diagram_edge (const SceneDiagram *diagram,
+                         uint32_t edge,
+                         uint32_t site[2],
+                         Point3 ends[2]);
+
 void scene_add_cells (SceneDiagram *diagram);
 void scene_add_voronoi_edges (SceneDiagram *diagram);
 void scene_add_voronoi_vertices (SceneDiagram *diagram);
+void scene_add_tangents (SceneBuilder *builder, const SceneDiagram *diagram);
+
+/* The layer of the furthest-site diagrams, if it is shown; its cells where no
+ * others are. */
+void scene_add_furthest_cells (SceneBuilder *builder, const Point3 box[2]);
+void scene_add_furthest (SceneBuilder *builder, const Point3 box[2]);
+
+/* The layer that tells why: plane and ellipse in space, the circle in the
+ * plane, the gap in both. */
+void scene_add_why_plane (SceneBuilder *builder);
+void scene_add_why (SceneBuilder *builder, bool lifted);
+
+/* The circle through three sites; the ellipse over it where the paraboloid
+ * is, when @lifted. */
+void scene_add_circle (SceneBuilder *builder,
+                       Role role,
+                       Object object,
+                       const uint32_t site[3],
+                       const Point3 box[2],
+                       bool lifted);
+
+/* While lifts are on their way, the paraboloid's contours at fixed heights
+ * tell how far: the lower the lifts, the further out. */
+void scene_add_contours (SceneBuilder *builder, const Point3 box[2]);
 
 /* Parts that plane and space have in common: all that lies in the plane. */
 void scene_add_circles (SceneBuilder *builder, const Point3 box[2]);

@@ -7,6 +7,8 @@
 
 #define N_CORDS 144   /* of a whole circle */
 #define STRAIGHT 1e12 /* radius beyond which a circle looks straight */
+#define N_CONTOURS 5
+#define CONTOUR_HEIGHT 0.4
 #define HALF_TURN 3.14159265358979323846
 
 /* A circle seen from one of its points: there it is exact, even where its
@@ -65,9 +67,20 @@ typedef struct Pen {
   SceneBuilder *builder;
   Role role;
   Object object;
-  Pixel at; /* the end of the item in hand */
+  bool is_lifted; /* onto the paraboloid */
+  Pixel at;       /* the end of the item in hand */
   bool is_down;
 } Pen;
+
+static void
+pen_point (Pen *pen, Pixel at)
+{
+  const SceneLook *look = pen->builder->look;
+  const double z = look->lift * (look->raise + at.x * at.x + at.y * at.y);
+
+  scene_add_point (pen->builder,
+                   (Point3){ at.x, at.y, pen->is_lifted ? z : 0 });
+}
 
 static void
 pen_draw (Pen *pen, const Point3 box[2], Point3 from, Point3 to)
@@ -81,37 +94,65 @@ pen_draw (Pen *pen, const Point3 box[2], Point3 from, Point3 to)
   }
   if (!pen->is_down || pen->at.x != ends[0].x || pen->at.y != ends[0].y) {
     scene_add (pen->builder, SHAPE_PATH, pen->role, pen->object);
-    scene_add_point (pen->builder, (Point3){ ends[0].x, ends[0].y, 0 });
+    pen_point (pen, ends[0]);
   }
-  scene_add_point (pen->builder, (Point3){ ends[1].x, ends[1].y, 0 });
+  pen_point (pen, ends[1]);
   pen->at = ends[1];
   pen->is_down = true;
 }
 
 static void
-add_circle (SceneBuilder *builder,
-            const uint32_t site[3],
-            const SceneItem *like,
-            const Point3 box[2])
+draw_circle (Pen *pen, const Circle *circle, const Point3 box[2])
+{
+  const double end = angle_of_box (circle, box);
+  Point3 last = circle_at (circle, -end);
+  int i;
+
+  for (i = 1; i <= N_CORDS; i++) {
+    const bool is_closed = i == N_CORDS && end == HALF_TURN;
+    const Point3 next
+        = circle_at (circle, is_closed ? -end : -end + 2 * end * i / N_CORDS);
+
+    pen_draw (pen, box, last, next);
+    last = next;
+  }
+}
+
+void
+scene_add_circle (SceneBuilder *builder,
+                  Role role,
+                  Object object,
+                  const uint32_t site[3],
+                  const Point3 box[2],
+                  bool lifted)
 {
   const Circle circle = circle_through (scene_at (builder, site[0], false),
                                         scene_at (builder, site[1], false),
                                         scene_at (builder, site[2], false));
-  const double end = angle_of_box (&circle, box);
-  Pen pen = { builder, like->role, like->object, { 0, 0 }, false };
-  Point3 last = circle_at (&circle, -end);
-  int i;
+  Pen pen = {
+    .builder = builder, .role = role, .object = object, .is_lifted = lifted
+  };
 
   /* Sites that share their doubles in the scene have no circle to show. */
-  if (!isfinite (circle.inwards.x))
-    return;
-  for (i = 1; i <= N_CORDS; i++) {
-    const bool is_closed = i == N_CORDS && end == HALF_TURN;
-    const Point3 next
-        = circle_at (&circle, is_closed ? -end : -end + 2 * end * i / N_CORDS);
+  if (isfinite (circle.inwards.x))
+    draw_circle (&pen, &circle, box);
+}
 
-    pen_draw (&pen, box, last, next);
-    last = next;
+void
+scene_add_contours (SceneBuilder *builder, const Point3 box[2])
+{
+  const double lift = builder->look->lift;
+  int i;
+
+  if (!(lift < 1) || !scene_has_layer (builder, LAYER_PARABOLOID))
+    return;
+  for (i = 1; i <= N_CONTOURS; i++) {
+    const double radius = sqrt (i * CONTOUR_HEIGHT / lift);
+    const Circle circle = { { radius, 0, 0 }, { -1, 0 }, radius };
+    Pen pen = { .builder = builder, .role = ROLE_CONTOUR };
+
+    if (radius < STRAIGHT)
+      draw_circle (&pen, &circle, box);
   }
 }
 
@@ -146,12 +187,11 @@ add_upper_circles (SceneBuilder *builder, const Point3 box[2])
     const bool is_seen = (frame->facets[i].roles & FACET_VISIBLE)
                          && !(frame->facets[i].roles & FACET_RETIRED);
     const bool is_lit = scene_lit (builder, object) != LIT_NONE;
-    const SceneItem like
-        = { .role = is_seen ? ROLE_CIRCLE_UPPER : ROLE_CIRCLE_SELECTED,
-            .object = object };
 
     if (row->facing == FACING_UPPER && (is_seen || is_lit))
-      add_circle (builder, row->site, &like, box);
+      scene_add_circle (builder,
+                        is_seen ? ROLE_CIRCLE_UPPER : ROLE_CIRCLE_SELECTED,
+                        object, row->site, box, false);
   }
 }
 
@@ -163,11 +203,11 @@ scene_add_circles (SceneBuilder *builder, const Point3 box[2])
 
   for (group = 0; group < frame->voronoi.n_vertices; group++) {
     const uint32_t triangle = frame->voronoi.vertices[group].triangle;
-    SceneItem like = { .object = scene_vertex_object (builder, group) };
+    Role role;
 
-    if (circle_role (builder, group, &like.role))
-      add_circle (builder, frame->delaunay.triangles[triangle].site, &like,
-                  box);
+    if (circle_role (builder, group, &role))
+      scene_add_circle (builder, role, scene_vertex_object (builder, group),
+                        frame->delaunay.triangles[triangle].site, box, false);
   }
   add_upper_circles (builder, box);
 }

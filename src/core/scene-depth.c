@@ -70,6 +70,23 @@ hull_depth (const Scene *scene,
   return is_new ? DEPTH_CONE_FAR : DEPTH_HULL_FAR;
 }
 
+/* Planes, and lines where two of them meet. */
+static SceneDepth
+outer_depth (const Scene *scene,
+             const SceneItem *item,
+             const Projection *projection)
+{
+  bool is_near = item->shape == SHAPE_POLYGON
+                 && scene_faces_eye (scene, item, projection);
+  int i;
+
+  for (i = 0; i < 2 && item->beside[i] != INDEX_NONE; i++)
+    is_near = is_near
+              || scene_faces_eye (scene, &scene->items[item->beside[i]],
+                                  projection);
+  return is_near ? DEPTH_OUTER_NEAR : DEPTH_OUTER_FAR;
+}
+
 SceneDepth
 scene_depth (const Scene *scene,
              const SceneItem *item,
@@ -79,6 +96,8 @@ scene_depth (const Scene *scene,
   case PASS_GROUND:
     return scene->is_space && projection->eye.z < 0 ? DEPTH_UNDER
                                                     : DEPTH_GROUND;
+  case PASS_OUTER:
+    return outer_depth (scene, item, projection);
   case PASS_SHEET_FAR:
     return DEPTH_SHEET_FAR;
   case PASS_HULL:

@@ -13,6 +13,14 @@ typedef struct Picker {
   Pixel *corners; /* room for the largest polygon */
 } Picker;
 
+/* What is not to be seen is not there. */
+static bool
+is_pickable (const SceneItem *item, SceneShape shape)
+{
+  return item->shape == shape && item->object.kind != OBJECT_NONE
+         && item->fade < 1;
+}
+
 static double
 distance_to (const Picker *picker, Pixel pixel)
 {
@@ -31,7 +39,7 @@ pick_mark (const Picker *picker, double reach_px)
     const SceneItem *item = &scene->items[i];
     Pixel pixel;
 
-    if (item->shape != SHAPE_MARK || item->object.kind == OBJECT_NONE
+    if (!is_pickable (item, SHAPE_MARK)
         || !clip_point (picker->projection, scene->points[item->first], &pixel))
       continue;
     if (distance_to (picker, pixel) <= least) {
@@ -73,7 +81,7 @@ pick_polygon (const Picker *picker, SceneDepth *depth)
     SceneDepth here;
     uint32_t n;
 
-    if (item->shape != SHAPE_POLYGON || item->object.kind == OBJECT_NONE)
+    if (!is_pickable (item, SHAPE_POLYGON))
       continue;
     n = clip_polygon (picker->projection, &scene->points[item->first], item->n,
                       1, picker->corners);
@@ -107,7 +115,7 @@ distance_to_segment (const Picker *picker, const Pixel ends[2])
 static bool
 is_edge (const SceneItem *item)
 {
-  return item->shape == SHAPE_PATH && item->object.kind == OBJECT_RIDGE;
+  return is_pickable (item, SHAPE_PATH) && item->object.kind == OBJECT_RIDGE;
 }
 
 /* The nearest edge that does not lie behind @depth. */

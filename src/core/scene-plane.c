@@ -53,17 +53,23 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
   builder.pass = PASS_GROUND;
   if (scene_has_layer (&builder, LAYER_VORONOI))
     scene_add_cells (diagram);
+  else if (scene_has_layer (&builder, LAYER_TANGENTS))
+    scene_add_tangents (&builder, diagram);
+  scene_add_furthest_cells (&builder, box);
+  scene_add_contours (&builder, box);
   add_frame (&builder);
   scene_add_triangles (&builder);
   if (scene_has_layer (&builder, LAYER_VORONOI))
     scene_add_voronoi_edges (diagram);
   scene_add_circles (&builder, box);
   scene_add_delaunay_edges (&builder);
+  scene_add_furthest (&builder, box);
   scene_add_cone_shadow (&builder);
   scene_add_cone_edges (&builder, false);
   scene_add_selected_facet (&builder, false);
   scene_add_horizon (&builder, false);
   scene_add_lit_facets (&builder, false);
+  scene_add_why (&builder, false);
   builder.pass = PASS_MARKS;
   scene_add_voronoi_vertices (diagram);
   add_sites (&builder);

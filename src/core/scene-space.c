@@ -59,18 +59,24 @@ add_plane (SceneBuilder *builder)
   add_ground (builder, SHAPE_POLYGON);
   if (scene_has_layer (builder, LAYER_VORONOI))
     scene_add_cells (diagram);
+  scene_add_furthest_cells (builder, box);
   add_ground (builder, SHAPE_PATH);
   scene_add_triangles (builder);
   if (scene_has_layer (builder, LAYER_VORONOI))
     scene_add_voronoi_edges (diagram);
   scene_add_circles (builder, box);
   scene_add_delaunay_edges (builder);
+  scene_add_furthest (builder, box);
   scene_add_cone_shadow (builder);
   scene_add_cone_edges (builder, false);
   scene_add_horizon (builder, false);
   scene_add_lit_facets (builder, false);
   scene_add_voronoi_vertices (diagram);
   add_feet (builder);
+  builder->pass = PASS_OUTER;
+  if (scene_has_layer (builder, LAYER_TANGENTS))
+    scene_add_tangents (builder, diagram);
+  scene_add_why_plane (builder);
   scene_diagram_free (diagram);
 }
 
@@ -180,6 +186,12 @@ ridge_role (const SceneBuilder *builder, const FrameRidge *ridge)
   return ROLE_RIDGE;
 }
 
+static bool
+is_lower (const Frame *frame, uint32_t facet)
+{
+  return frame->trace->facets[facet].facing == FACING_LOWER;
+}
+
 static void
 add_ridges (SceneBuilder *builder, const uint32_t *item_of)
 {
@@ -196,6 +208,8 @@ add_ridges (SceneBuilder *builder, const uint32_t *item_of)
     item = &builder->scene->items[builder->scene->n_items - 1];
     item->beside[0] = item_of[position_of (frame, row->facet[0])];
     item->beside[1] = item_of[position_of (frame, row->facet[1])];
+    if (!is_lower (frame, row->facet[0]) && !is_lower (frame, row->facet[1]))
+      item->fade = 1 - (1 - item->fade) * builder->look->lift;
   }
 }
 
@@ -375,6 +389,7 @@ scene_space (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_selected_facet (&builder, true);
   scene_add_horizon (&builder, true);
   scene_add_lit_facets (&builder, true);
+  scene_add_why (&builder, true);
   builder.pass = PASS_MARKS;
   add_marks (&builder);
   scene_add_facet_names (&builder, true);

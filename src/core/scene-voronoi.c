@@ -14,6 +14,7 @@ struct SceneDiagram {
   const Voronoi *voronoi; /* that of the frame, or one in scene units */
   Point3 low, high;
   Box box;           /* in the units of voronoi */
+  Site *corners;     /* room for any cell */
   bool is_rescaled;  /* then all below is its own */
   SiteSet set;       /* scene units */
   Delaunay delaunay; /* borrows all but set */
@@ -92,6 +93,8 @@ scene_diagram_new (SceneBuilder *builder, const Point3 box[2])
     diagram->box.low = (Site){ box[0].x, box[0].y };
     diagram->box.high = (Site){ box[1].x, box[1].y };
   }
+  diagram->corners
+      = memory_new (scene_diagram_room (diagram), sizeof *diagram->corners);
   return diagram;
 }
 
@@ -102,6 +105,7 @@ scene_diagram_free (SceneDiagram *diagram)
     free (diagram->set.sites);
     free (diagram->own.vertices);
   }
+  free (diagram->corners);
   free (diagram);
 }
 
@@ -114,11 +118,11 @@ to_scene (const SceneDiagram *diagram, Site at)
 }
 
 static void
-add_cell (SceneDiagram *diagram, uint32_t site, Site *corners)
+add_cell (SceneDiagram *diagram, uint32_t site)
 {
   SceneBuilder *builder = diagram->builder;
-  const uint32_t n
-      = voronoi_clip_cell (diagram->voronoi, site, &diagram->box, corners);
+  const uint32_t n = voronoi_clip_cell (diagram->voronoi, site, &diagram->box,
+                                        diagram->corners);
   const RoundRow *round = NULL;
   SceneItem *item;
   uint32_t i;
@@ -133,15 +137,15 @@ add_cell (SceneDiagram *diagram, uint32_t site, Site *corners)
   if (round != NULL && site == round->site)
     item->emphasis = EMPHASIS_LOUD;
   for (i = 0; i < n; i++)
-    scene_add_point (builder, to_scene (diagram, corners[i]));
+    scene_add_point (builder, to_scene (diagram, diagram->corners[i]));
 }
 
-void
-scene_add_cells (SceneDiagram *diagram)
+/* The largest number of corners that a cell of the diagram can have. */
+uint32_t
+scene_diagram_room (const SceneDiagram *diagram)
 {
   const Delaunay *delaunay = diagram->voronoi->delaunay;
   uint32_t i, room = 0;
-  Site *corners;
 
   for (i = 0; i < delaunay->n_active; i++) {
     const uint32_t n
@@ -149,10 +153,52 @@ scene_add_cells (SceneDiagram *diagram)
 
     room = n > room ? n : room;
   }
-  corners = memory_new (room, sizeof *corners);
+  return room;
+}
+
+uint32_t
+scene_diagram_cell (const SceneDiagram *diagram, uint32_t site, Point3 *corners)
+{
+  const uint32_t n = voronoi_clip_cell (diagram->voronoi, site, &diagram->box,
+                                        diagram->corners);
+  uint32_t i;
+
+  for (i = 0; i < n; i++)
+    corners[i] = to_scene (diagram, diagram->corners[i]);
+  return n;
+}
+
+uint32_t
+scene_diagram_n_edges (const SceneDiagram *diagram)
+{
+  return diagram->voronoi->n_edges;
+}
+
+bool
+scene_diagram_edge (const SceneDiagram *diagram,
+                    uint32_t edge,
+                    uint32_t site[2],
+                    Point3 ends[2])
+{
+  Site at[2];
+
+  if (!voronoi_clip_edge (diagram->voronoi, edge, &diagram->box, at))
+    return false;
+  site[0] = diagram->voronoi->edges[edge].site[0];
+  site[1] = diagram->voronoi->edges[edge].site[1];
+  ends[0] = to_scene (diagram, at[0]);
+  ends[1] = to_scene (diagram, at[1]);
+  return true;
+}
+
+void
+scene_add_cells (SceneDiagram *diagram)
+{
+  const Delaunay *delaunay = diagram->voronoi->delaunay;
+  uint32_t i;
+
   for (i = 0; i < delaunay->n_active; i++)
-    add_cell (diagram, delaunay->active[i], corners);
-  free (corners);
+    add_cell (diagram, delaunay->active[i]);
 }
 
 void

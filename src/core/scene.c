@@ -5,8 +5,8 @@
 #include <string.h>
 
 static const char *const layer_names[N_LAYERS] = {
-  "hull",          "paraboloid", "delaunay", "voronoi",
-  "circumcircles", "lifts",      "labels",
+  "hull",   "paraboloid", "delaunay", "voronoi", "circumcircles", "lifts",
+  "labels", "furthest",   "tangents", "why",     "preview",
 };
 
 static const char *const focus_names[] = {
@@ -68,6 +68,7 @@ scene_look_init (SceneLook *look, const Frame *frame)
                        .focus = FOCUS_ACTIVE,
                        .extent = site_set_extent (frame->trace->set),
                        .raise = RAISE_DEFAULT,
+                       .lift = 1,
                        .low = { -1, -1, 0 },
                        .high = { 1, 1, 0 } };
 }
@@ -88,7 +89,8 @@ scene_point (const SceneLook *look, const Site *site, bool lifted)
   const double u = (site->x - look->extent.centre.x) / look->extent.radius;
   const double v = (site->y - look->extent.centre.y) / look->extent.radius;
 
-  return (Point3){ u, v, lifted ? look->raise + u * u + v * v : 0 };
+  return (Point3){ u, v,
+                   lifted ? look->lift * (look->raise + u * u + v * v) : 0 };
 }
 
 Site

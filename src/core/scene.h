@@ -4,8 +4,8 @@
  *
  * Scene coordinates: a site (x, y) stands at u = (x - cx)/r, v = (y - cy)/r
  * for the extent (cx, cy), r, so that the sites fill the square -1 … 1; its
- * lift stands at (u, v, raise + u² + v²). Moving and scaling the plane only
- * shears the paraboloid: facets stay the same.
+ * lift stands at (u, v, raise + u² + v²), or on the way there. Moving and
+ * scaling the plane only shears the paraboloid: facets stay the same.
  *
  *   Scene scene = { 0 };
  *
@@ -29,12 +29,18 @@ typedef enum Layer {
                              the selection are always shown */
   LAYER_LIFTS = 1 << 5,   /* dashed vectors from sites to lifts */
   LAYER_LABELS = 1 << 6,
+  LAYER_FURTHEST = 1 << 7, /* what the upper hull is in the plane: furthest-site
+                              Delaunay and Voronoi */
+  LAYER_TANGENTS = 1 << 8, /* upper envelope of the tangent planes at the
+                              lifts: from above, the Voronoi diagram */
+  LAYER_WHY = 1 << 9,      /* plane, ellipse and gap of a facet: why.h */
+  LAYER_PREVIEW = 1 << 10, /* what a site under the pointer would change */
 } Layer;
 
-#define N_LAYERS 7
+#define N_LAYERS 11
 #define LAYERS_DEFAULT                                                         \
   (LAYER_HULL | LAYER_PARABOLOID | LAYER_DELAUNAY | LAYER_VORONOI              \
-   | LAYER_LIFTS | LAYER_LABELS)
+   | LAYER_LIFTS | LAYER_LABELS | LAYER_PREVIEW)
 
 const char *layer_name (Layer layer); /* "circumcircles" … */
 bool layer_parse (const char *name, Layer *layer);
@@ -47,36 +53,51 @@ typedef enum Role {
                   at a point is (2x, 2y, -1) */
   ROLE_RIM,    /* where the paraboloid is cut off */
   ROLE_CELL,   /* Voronoi cell; object is its site */
-  ROLE_LOWER,  /* facets of the hull */
+  ROLE_FURTHEST_CELL, /* of the sites' furthest-site diagram */
+  ROLE_TANGENT,       /* what is seen from above of a site's tangent plane */
+  ROLE_LOWER,         /* facets of the hull */
   ROLE_UPPER,
   ROLE_VERTICAL,
-  ROLE_TRIANGLE,        /* Delaunay triangle; object is its facet */
-  ROLE_VISIBLE,         /* visible facet, or its triangle: will go */
-  ROLE_VISIBLE_UPPER,   /* visible facet that is not lower */
-  ROLE_RETIRED,         /* visible facet that is gone from the hull */
-  ROLE_CONE,            /* new lower facet, or its triangle */
-  ROLE_CONE_UPPER,      /* new facet that is not lower */
-  ROLE_SELECTED_FACET,  /* the facet whose outside set is used */
-  ROLE_CIRCLE,          /* circumcircle */
-  ROLE_CIRCLE_VISIBLE,  /* circumcircle that contains the site in hand */
-  ROLE_CIRCLE_UPPER,    /* circle of a visible upper facet: the site in hand
-                           is outside it */
-  ROLE_CIRCLE_SELECTED, /* circumcircle of the person's selection */
+  ROLE_TRIANGLE,         /* Delaunay triangle; object is its facet */
+  ROLE_VISIBLE,          /* visible facet, or its triangle: will go */
+  ROLE_VISIBLE_UPPER,    /* visible facet that is not lower */
+  ROLE_RETIRED,          /* visible facet that is gone from the hull */
+  ROLE_CONE,             /* new lower facet, or its triangle */
+  ROLE_CONE_UPPER,       /* new facet that is not lower */
+  ROLE_SELECTED_FACET,   /* the facet whose outside set is used */
+  ROLE_PREVIEW_TRIANGLE, /* would die if a site were put at the pointer */
+  ROLE_PREVIEW_STOLEN,   /* what the new cell would take from another */
+  ROLE_PLANE,            /* patch of the plane through a facet */
+  ROLE_CIRCLE,           /* circumcircle */
+  ROLE_CIRCLE_VISIBLE,   /* circumcircle that contains the site in hand */
+  ROLE_CIRCLE_UPPER,     /* circle of a visible upper facet: the site in hand
+                            is outside it */
+  ROLE_CIRCLE_SELECTED,  /* circumcircle of the person's selection */
+  ROLE_ELLIPSE,          /* where that plane cuts the paraboloid */
   ROLE_VORONOI_EDGE,
+  ROLE_TANGENT_EDGE, /* where two tangent planes meet, over a Voronoi edge */
   ROLE_DELAUNAY_EDGE,
-  ROLE_FREE_EDGE,    /* inside a circle group: any diagonal would do */
-  ROLE_RIDGE,        /* of the hull in space */
-  ROLE_VISIBLE_EDGE, /* ridge or Delaunay edge of a visible facet */
-  ROLE_CONE_EDGE,    /* ridge or Delaunay edge from the new site */
+  ROLE_FURTHEST_EDGE,    /* furthest-site Delaunay edge */
+  ROLE_FURTHEST_VORONOI, /* furthest-site Voronoi edge; rays run inwards */
+  ROLE_PREVIEW_EDGE,     /* Delaunay edge of the site at the pointer */
+  ROLE_PREVIEW_CELL,     /* outline of its cell */
+  ROLE_CONTOUR,          /* plane view: equal heights, while lifts glide */
+  ROLE_FREE_EDGE,        /* inside a circle group: any diagonal would do */
+  ROLE_RIDGE,            /* of the hull in space */
+  ROLE_VISIBLE_EDGE,     /* ridge or Delaunay edge of a visible facet */
+  ROLE_CONE_EDGE,        /* ridge or Delaunay edge from the new site */
   ROLE_HORIZON,
   ROLE_HORIZON_UPPER, /* its part between facets that are not lower */
   ROLE_LIFT,          /* from a site to its lift */
   ROLE_LIFT_APEX,
   ROLE_LIFT_OUTSIDE,
   ROLE_DROP, /* from an outside site's lift to the facet's plane */
+  ROLE_GAP,  /* from a site's lift straight to the plane of a facet */
   ROLE_LIT,  /* outline of a lit facet or triangle */
   ROLE_VORONOI_VERTEX,
   ROLE_VORONOI_VERTEX_DYING,
+  ROLE_FURTHEST_VERTEX,
+  ROLE_PREVIEW_SITE,
   ROLE_FOOT, /* a site in the plane, in the space view */
   ROLE_FOOT_APEX,
   ROLE_SITE,
@@ -84,10 +105,26 @@ typedef enum Role {
   ROLE_SITE_OUTSIDE,
   ROLE_SITE_APEX,
   ROLE_SITE_DUPLICATE,
+  ROLE_POWER,      /* no mark: the power beside a gap, as a number */
   ROLE_FACET_NAME, /* no mark: the label of a facet in its middle */
 } Role;
 
 #define N_ROLES (ROLE_FACET_NAME + 1)
+
+const char *role_name (Role role); /* "lower", "horizon", "voronoi-edge" … */
+bool role_parse (const char *name, Role *role);
+
+/* What of the space view can be made transparent as a whole. */
+typedef enum Body {
+  BODY_PARABOLOID,
+  BODY_HULL,
+  BODY_PLANE, /* the plane z = 0 and all in it */
+} Body;
+
+#define N_BODIES (BODY_PLANE + 1)
+
+const char *body_name (Body body); /* "paraboloid" … */
+bool body_parse (const char *name, Body *body);
 
 typedef enum Emphasis {
   EMPHASIS_PALE, /* not the matter of this step */
@@ -111,6 +148,7 @@ typedef enum SceneShape {
  * that contains the hull, so this order needs no sorting (gl and cairo). */
 typedef enum ScenePass {
   PASS_GROUND,    /* plane and all in it; last when the eye is below */
+  PASS_OUTER,     /* surfaces round the paraboloid: tangent planes */
   PASS_SHEET_FAR, /* drawn where the sheet faces away from the eye */
   PASS_HULL,      /* facets: those facing away first, then the others */
   PASS_SHEET_NEAR,
@@ -128,10 +166,13 @@ typedef struct SceneItem {
   uint32_t first, n;  /* points[first] … points[first + n - 1] */
   uint32_t beside[2]; /* lines: items of the facets on both sides, or
                          INDEX_NONE */
-  uint32_t hue;       /* ROLE_CELL: stays with its site */
+  uint32_t hue;       /* of cells: stays with its site */
+  double fade;        /* 0: as the theme says … 1: not to be seen */
   bool is_two_sided;  /* a polygon that bounds nothing */
   const char *label;  /* marks: "s7", or NULL; owned by the scene */
 } SceneItem;
+
+#define LABEL_ROOM 24
 
 typedef struct Scene {
   SceneItem *items;
@@ -139,7 +180,7 @@ typedef struct Scene {
   Point3 *points;
   uint32_t n_points, points_room;
   bool is_space; /* else plane: all z are 0 and passes do not matter */
-  char (*labels)[12];
+  char (*labels)[LABEL_ROOM];
   uint32_t n_labels, labels_room;
 } Scene;
 
@@ -161,12 +202,19 @@ typedef struct SceneLook {
   Focus focus;
   Extent extent;
   double raise; /* of the paraboloid above the plane, scene units */
+  double lift;  /* of the sites: 0 in the plane … 1 on the paraboloid */
+  double body_fade[N_BODIES], role_fade[N_ROLES]; /* SceneItem.fade */
   Object selection, hover;
+  Object measured; /* LAYER_WHY: the site whose power is told, when the
+                      pointer is on none */
+  bool has_preview;
+  Site preview; /* LAYER_PREVIEW: where the site would be, as SiteSet.sites */
   Point3 low, high; /* plane scene: the visible rectangle, to clip to; see
                        scene_look_fit() */
 } SceneLook;
 
 #define RAISE_DEFAULT 0.7
+#define RAISE_MOST 2.0
 
 /* The default look at all sites of a frame. */
 void scene_look_init (SceneLook *look, const Frame *frame);
@@ -185,12 +233,14 @@ scene_look_fit (SceneLook *look, const Projection *projection, double inset_px);
  * one side of it, so that items of one layer need no order. */
 typedef enum SceneDepth {
   DEPTH_GROUND,     /* the plane seen from above */
+  DEPTH_OUTER_FAR,  /* planes round the paraboloid, facing away */
   DEPTH_SHEET_FAR,  /* the paraboloid where it faces away from the eye */
   DEPTH_CONE_FAR,   /* cone facets facing away */
   DEPTH_HULL_FAR,   /* other facets facing away */
   DEPTH_HULL_NEAR,  /* other facets facing the eye */
   DEPTH_CONE_NEAR,  /* cone facets facing the eye */
   DEPTH_SHEET_NEAR, /* the paraboloid where it faces the eye */
+  DEPTH_OUTER_NEAR, /* planes round the paraboloid, facing the eye */
   DEPTH_UNDER,      /* the plane seen from below */
   DEPTH_LINES,
   DEPTH_MARKS,
@@ -210,7 +260,8 @@ bool scene_faces_eye (const Scene *scene,
                       const SceneItem *item,
                       const Projection *projection);
 
-/* Returns: the scene point of @site; its lift when @lifted. */
+/* Returns: the scene point of @site; its lift when @lifted, as far as it is
+ *          lifted. */
 Point3 scene_point (const SceneLook *look, const Site *site, bool lifted);
 
 /* Returns: the site, in SiteSet.sites units, at a point of the plane scene.

@@ -4,6 +4,7 @@
 #ifndef VORONOI_H
 #define VORONOI_H
 
+#include "bisector.h"
 #include "delaunay.h"
 
 typedef struct VoronoiVertex {
@@ -36,12 +37,8 @@ typedef struct Voronoi {
 void voronoi_init (Voronoi *voronoi, const Delaunay *delaunay);
 void voronoi_clear (Voronoi *voronoi);
 
-/* A rectangle in the units of SiteSet.sites. */
-typedef struct Box {
-  Site low, high;
-} Box;
-
-/* Clips a Voronoi edge to @box, in doubles, before anything is drawn.
+/* Clips a Voronoi edge to @box, in units of SiteSet.sites, in doubles, before
+ * anything is drawn.
  *
  * Returns: false when no part of it lies inside. */
 bool voronoi_clip_edge (const Voronoi *voronoi,

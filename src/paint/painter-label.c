@@ -14,7 +14,7 @@ static bool
 is_important (const SceneItem *item)
 {
   return item->emphasis == EMPHASIS_LOUD || item->lit != LIT_NONE
-         || item->role == ROLE_SITE_APEX;
+         || item->role == ROLE_SITE_APEX || item->role == ROLE_POWER;
 }
 
 static void
@@ -62,7 +62,8 @@ measure (const Painter *painter, PangoLayout *layout)
     Label label = { .text = item->label, .item = i };
     PangoRectangle ink;
 
-    if (item->label == NULL || (painter->size < CROWDED && !is_important (item))
+    if (item->label == NULL || item->fade >= 1
+        || (painter->size < CROWDED && !is_important (item))
         || !clip_point (painter->projection,
                         painter->scene->points[item->first], &label.at)
         || label.at.x < 0 || label.at.x > painter->projection->width

@@ -186,12 +186,14 @@ fill_side (Painter *painter, const SceneItem *rim, bool is_near)
 {
   g_autoptr (GArray) all = pixels_of (painter, rim, N_RINGS);
   g_autoptr (GArray) opening = pixels_of (painter, rim, 1);
+  Colour fill = painter->theme->styles[ROLE_SHEET].fill;
 
   trace_hull (painter, all);
   if (looks_into (painter, rim) == is_near)
     trace_hull (painter, opening);
   cairo_set_fill_rule (painter->cr, CAIRO_FILL_RULE_EVEN_ODD);
-  brush_colour (painter->cr, painter->theme->styles[ROLE_SHEET].fill);
+  fill.alpha *= 1 - rim->fade;
+  brush_colour (painter->cr, fill);
   cairo_fill (painter->cr);
   cairo_set_fill_rule (painter->cr, CAIRO_FILL_RULE_WINDING);
 }
@@ -203,7 +205,7 @@ paint_outline (Painter *painter, const SceneItem *rim)
   g_autoptr (GArray) all = pixels_of (painter, rim, N_RINGS);
   Style style = theme_style (painter->theme, rim);
 
-  style.line.alpha *= 0.75;
+  style.line.alpha *= 0.75 * (1 - rim->fade);
   trace_hull (painter, all);
   brush_line (painter->cr, &style);
 }

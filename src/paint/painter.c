@@ -202,7 +202,7 @@ paint_mark (Painter *painter, const SceneItem *item)
   const Style style = painter_style (painter, item);
   Pixel at;
 
-  if (style.mark == MARK_NONE || style.radius < LEAST_RADIUS
+  if (style.mark == MARK_NONE || item->fade >= 1 || style.radius < LEAST_RADIUS
       || !clip_point (painter->projection, painter->scene->points[item->first],
                       &at)
       || at.x < -PAINTER_MARGIN || at.y < -PAINTER_MARGIN

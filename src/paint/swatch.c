@@ -16,7 +16,7 @@ sample_of (Role role)
 {
   if (role >= ROLE_VORONOI_VERTEX)
     return SAMPLE_MARK;
-  if (role >= ROLE_CIRCLE && role <= ROLE_CIRCLE_SELECTED)
+  if (role >= ROLE_CIRCLE && role <= ROLE_ELLIPSE)
     return SAMPLE_CIRCLE;
   if (role == ROLE_GROUND || role == ROLE_RIM || role == ROLE_SELECTED_FACET
       || role == ROLE_RETIRED || role >= ROLE_VORONOI_EDGE)

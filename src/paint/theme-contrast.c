@@ -14,7 +14,7 @@ static const Palette palette = { {
     [INK_VERTICAL_LINE] = 0xe0e0e0, [INK_RIDGE] = 0xffffff,
     [INK_SHEET] = 0xffff00,         [INK_SHEET_LINE] = 0xe6d060,
     [INK_LIFT] = 0xd8d8d8,          [INK_FOOT] = 0xe8e8e8,
-    [INK_GROUND] = 0xc8c8c8,
+    [INK_GROUND] = 0xc8c8c8,        [INK_FURTHEST] = 0x8fe09a,
 } };
 
 void

@@ -14,7 +14,7 @@ static const Palette palette = { {
     [INK_VERTICAL_LINE] = 0x5e5c64, [INK_RIDGE] = 0x27496d,
     [INK_SHEET] = 0xe8b923,         [INK_SHEET_LINE] = 0x9c7a12,
     [INK_LIFT] = 0x77767b,          [INK_FOOT] = 0x5e5c64,
-    [INK_GROUND] = 0x83828a,
+    [INK_GROUND] = 0x83828a,        [INK_FURTHEST] = 0x2f7033,
 } };
 
 void

@@ -18,7 +18,7 @@ static const Palette palette = { {
     [INK_VERTICAL_LINE] = 0x404040, [INK_RIDGE] = 0x003b6f,
     [INK_SHEET] = 0xffff00,         [INK_SHEET_LINE] = 0x7d7300,
     [INK_LIFT] = 0x555555,          [INK_FOOT] = 0x333333,
-    [INK_GROUND] = 0x666666,
+    [INK_GROUND] = 0x666666,        [INK_FURTHEST] = 0x006000,
 } };
 
 void

@@ -15,7 +15,7 @@ static const Palette palette = { {
     [INK_VERTICAL_LINE] = 0x505050, [INK_RIDGE] = 0x303030,
     [INK_SHEET] = 0xffffff,         [INK_SHEET_LINE] = 0x808080,
     [INK_LIFT] = 0x6a6a6a,          [INK_FOOT] = 0x404040,
-    [INK_GROUND] = 0x808080,
+    [INK_GROUND] = 0x808080,        [INK_FURTHEST] = 0x000000,
 } };
 
 static void

@@ -33,6 +33,7 @@ typedef enum Ink {
   INK_LIFT,
   INK_FOOT,
   INK_GROUND,
+  INK_FURTHEST, /* furthest-site diagrams */
   N_INKS,
 } Ink;
 

@@ -15,7 +15,7 @@ static const Palette palette = { {
     [INK_VERTICAL_LINE] = 0x3a3a3a, [INK_RIDGE] = 0x12324f,
     [INK_SHEET] = 0xe8b923,         [INK_SHEET_LINE] = 0x7a5f0c,
     [INK_LIFT] = 0x4a4a4f,          [INK_FOOT] = 0x3a3a3f,
-    [INK_GROUND] = 0x5e5e66,
+    [INK_GROUND] = 0x5e5e66,        [INK_FURTHEST] = 0x1f5a22,
 } };
 
 void

@@ -19,6 +19,11 @@ static const Row rows[N_ROLES] = {
                    .style = { .width = 1 } },
   [ROLE_RIM] = { .line = INK_SHEET_LINE, .style = { .width = 1.3 } },
   [ROLE_CELL] = { .fill = INK_PAPER },
+  [ROLE_FURTHEST_CELL] = { .fill = INK_PAPER },
+  [ROLE_TANGENT] = { .fill = INK_PAPER,
+                     .fill_alpha = 0.6,
+                     .line = INK_VORONOI,
+                     .style = { .width = 0.7, .is_shaded = true } },
   [ROLE_LOWER]
   = { .fill = INK_LOWER, .fill_alpha = 0.66, .style = { .is_shaded = true } },
   [ROLE_UPPER]
@@ -48,6 +53,12 @@ static const Row rows[N_ROLES] = {
       .style = { .hatch = HATCH_FALLING, .is_shaded = true } },
   [ROLE_SELECTED_FACET]
   = { .line = INK_IN_HAND, .style = { .width = 4, .casing = 7 } },
+  [ROLE_PREVIEW_TRIANGLE] = { .fill = INK_HOVER, .fill_alpha = 0.1 },
+  [ROLE_PREVIEW_STOLEN] = { .fill = INK_HOVER, .fill_alpha = 0.16 },
+  [ROLE_PLANE] = { .fill = INK_HOVER,
+                   .fill_alpha = 0.14,
+                   .line = INK_HOVER,
+                   .style = { .width = 1.2 } },
   [ROLE_CIRCLE] = { .line = INK_CIRCLE, .style = { .width = 1.1 } },
   [ROLE_CIRCLE_VISIBLE]
   = { .line = INK_VISIBLE, .style = { .width = 2, .dash = 8, .gap = 5 } },
@@ -55,8 +66,19 @@ static const Row rows[N_ROLES] = {
                           .style = { .width = 2, .dash = 0.5, .gap = 5 } },
   [ROLE_CIRCLE_SELECTED]
   = { .line = INK_APEX, .style = { .width = 2, .dash = 12, .gap = 4 } },
+  [ROLE_ELLIPSE] = { .line = INK_APEX, .style = { .width = 2.6 } },
   [ROLE_VORONOI_EDGE] = { .line = INK_VORONOI, .style = { .width = 1.3 } },
   [ROLE_DELAUNAY_EDGE] = { .line = INK_DELAUNAY, .style = { .width = 2.6 } },
+  [ROLE_TANGENT_EDGE] = { .line = INK_VORONOI, .style = { .width = 1.5 } },
+  [ROLE_FURTHEST_EDGE]
+  = { .line = INK_FURTHEST, .style = { .width = 2.4, .dash = 12, .gap = 3 } },
+  [ROLE_FURTHEST_VORONOI]
+  = { .line = INK_FURTHEST, .style = { .width = 1.5, .dash = 4, .gap = 3 } },
+  [ROLE_PREVIEW_EDGE]
+  = { .line = INK_HOVER, .style = { .width = 1.8, .dash = 5, .gap = 4 } },
+  [ROLE_PREVIEW_CELL]
+  = { .line = INK_HOVER, .style = { .width = 1.8, .dash = 2, .gap = 3 } },
+  [ROLE_CONTOUR] = { .line = INK_SHEET_LINE, .style = { .width = 1 } },
   [ROLE_FREE_EDGE]
   = { .line = INK_DELAUNAY, .style = { .width = 1.8, .dash = 6, .gap = 5 } },
   [ROLE_RIDGE] = { .line = INK_RIDGE, .style = { .width = 1.5 } },
@@ -75,6 +97,7 @@ static const Row rows[N_ROLES] = {
   = { .line = INK_IN_HAND, .style = { .width = 1.3, .dash = 4, .gap = 4 } },
   [ROLE_DROP]
   = { .line = INK_IN_HAND, .style = { .width = 2.6, .dash = 0.1, .gap = 5 } },
+  [ROLE_GAP] = { .line = INK_APEX, .style = { .width = 3.6, .casing = 6.5 } },
   [ROLE_LIT] = { .line = INK_APEX, .style = { .width = 3, .casing = 5.5 } },
   [ROLE_VORONOI_VERTEX]
   = { .line = INK_VORONOI, .style = { .mark = MARK_DOT, .radius = 2.3 } },
@@ -82,6 +105,15 @@ static const Row rows[N_ROLES] = {
   = { .fill = INK_PAPER,
       .line = INK_VISIBLE,
       .style = { .width = 2, .mark = MARK_DIAMOND, .radius = 6.5 } },
+  [ROLE_FURTHEST_VERTEX]
+  = { .fill = INK_PAPER,
+      .line = INK_FURTHEST,
+      .style = { .width = 1.8, .mark = MARK_HOLLOW, .radius = 3.4 } },
+  [ROLE_PREVIEW_SITE]
+  = { .fill = INK_PAPER,
+      .line = INK_HOVER,
+      .style
+      = { .width = 2, .casing = 1.4, .mark = MARK_HOLLOW, .radius = 5 } },
   [ROLE_FOOT]
   = { .line = INK_FOOT, .style = { .mark = MARK_DOT, .radius = 2.8 } },
   [ROLE_FOOT_APEX]
@@ -105,6 +137,7 @@ static const Row rows[N_ROLES] = {
   = { .fill = INK_PAPER,
       .line = INK_SITE,
       .style = { .width = 1.6, .mark = MARK_CROSSED, .radius = 7 } },
+  [ROLE_POWER] = { .style = { .mark = MARK_NONE } },
   [ROLE_FACET_NAME] = { .style = { .mark = MARK_NONE } },
 };
 

@@ -69,6 +69,32 @@ cell_colour (const Theme *theme, uint32_t hue, bool is_loud)
   return colour_oklch (lightness, chroma, GOLDEN_ANGLE * hue);
 }
 
+static bool
+is_cell (const SceneItem *item)
+{
+  return item->role == ROLE_CELL || item->role == ROLE_FURTHEST_CELL
+         || item->role == ROLE_TANGENT;
+}
+
+static void
+take_hue (const Theme *theme, const SceneItem *item, Style *style)
+{
+  const double alpha = style->fill.alpha;
+
+  style->fill = cell_colour (theme, item->hue, item->emphasis == EMPHASIS_LOUD);
+  style->fill.alpha = alpha;
+}
+
+static void
+make_fade (double fade, Style *style)
+{
+  style->fill.alpha *= 1 - fade;
+  style->line.alpha *= 1 - fade;
+  style->halo.alpha *= 1 - fade;
+  if (fade >= 1)
+    style->casing = 0;
+}
+
 /* Pale */
 
 /* The least contrast of @colour against background and cells. */
@@ -156,13 +182,13 @@ theme_style (const Theme *theme, const SceneItem *item)
   Style style = theme->styles[item->role];
 
   style.ring_gap = RING_GAP;
-  if (item->role == ROLE_CELL)
-    style.fill
-        = cell_colour (theme, item->hue, item->emphasis == EMPHASIS_LOUD);
+  if (is_cell (item))
+    take_hue (theme, item, &style);
   if (item->emphasis == EMPHASIS_PALE && item->lit == LIT_NONE)
     make_pale (theme, item->role, &style);
   if (item->lit != LIT_NONE)
     make_lit (theme, item, &style);
+  make_fade (item->fade, &style);
   scale (&style,
          style.mark == MARK_NONE ? theme->line_factor : theme->mark_factor);
   return style;

@@ -182,6 +182,9 @@ put_preset (Session *session, CameraPreset preset)
   Camera camera;
 
   camera_init (&camera, preset);
+  if (preset == CAMERA_LOOK_UP || preset == CAMERA_LOOK_UP_UNMIRRORED
+      || preset == CAMERA_LOOK_DOWN)
+    camera_follow_plane (&camera, session_get_plane_camera (session));
   session_set_camera (session, &camera);
 }
 

@@ -28,6 +28,13 @@ ACTION_RUN (action_previous_stop);
 
 ACTION_RUN (action_show);         /* data: whether to show */
 ACTION_RUN (action_toggle_layer); /* data: Layer */
+ACTION_RUN (action_lift);
+ACTION_RUN (action_raise);
+ACTION_RUN (action_opacity);
+ACTION_RUN (action_body_opacity); /* data: Body */
+ACTION_RUN (action_reset_look);
+ACTION_RUN (action_measure);
+ACTION_RUN (action_measure_next);
 ACTION_RUN (action_focus);
 ACTION_RUN (action_select);
 ACTION_RUN (action_select_next); /* data: whether to go forwards */
@@ -70,6 +77,10 @@ ACTION_STATE (action_state_layer); /* data: Layer */
 ACTION_STATE (action_state_focus);
 ACTION_STATE (action_state_theme);
 ACTION_STATE (action_state_scale); /* data: ActionScale */
+ACTION_STATE (action_state_lift);
+ACTION_STATE (action_state_raise);
+ACTION_STATE (action_state_body_opacity); /* data: Body */
+ACTION_STATE (action_state_measure);
 ACTION_STATE (action_state_selection);
 
 #define ACTION_ENABLED(name)                                                   \

@@ -84,6 +84,30 @@ ACTION_STATE (action_state_selection)
   return g_variant_new_string (name);
 }
 
+ACTION_STATE (action_state_lift)
+{
+  return g_variant_new_double (session_get_look (session)->lift);
+}
+
+ACTION_STATE (action_state_raise)
+{
+  return g_variant_new_double (session_get_look (session)->raise);
+}
+
+ACTION_STATE (action_state_body_opacity)
+{
+  return g_variant_new_double (
+      1 - session_get_look (session)->body_fade[action->data]);
+}
+
+ACTION_STATE (action_state_measure)
+{
+  char name[OBJECT_NAME_ROOM];
+
+  object_name_write (session_get_look (session)->measured, name);
+  return g_variant_new_string (name);
+}
+
 ACTION_ENABLED (action_can_next)
 {
   return action->data == 0

@@ -67,11 +67,15 @@ parameter_rule (const char *type)
     return _ ("two numbers: X Y");
   if (g_str_equal (type, "(udd)"))
     return _ ("a whole number and two numbers: N X Y");
+  if (g_str_equal (type, "d"))
+    return _ ("a number");
+  if (g_str_equal (type, "(sd)"))
+    return _ ("a name and a number");
   return _ ("something after it");
 }
 
-/* Reads one word as a whole number (u) or a decimal number (d). A site may
- * be called by its name: s3. */
+/* Reads one word as a name (s), a whole number (u) or a decimal number (d). A
+ * site may be called by its name: s3. */
 static GVariant *
 parse_member (char type, const char *word)
 {
@@ -84,6 +88,8 @@ parse_member (char type, const char *word)
                ? g_variant_new_uint32 ((guint32)number)
                : NULL;
   }
+  if (type == 's')
+    return g_variant_new_string (word);
   return words_parse_double (word, &real) ? g_variant_new_double (real) : NULL;
 }
 
@@ -92,7 +98,7 @@ static GVariant *
 parse_members (const char *type, char **words)
 {
   const char *members = type + (*type == '(' ? 1 : 0);
-  const gsize n = strspn (members, "ud");
+  const gsize n = strspn (members, "sud");
   GVariant *values[4];
 
   if (g_strv_length (words) != n)

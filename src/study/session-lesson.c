@@ -11,10 +11,7 @@ session_get_state (Session *session)
 
   state->run = run_ref (session->run);
   state->step = session->step;
-  state->layers = session->look.layers;
-  state->focus = session->look.focus;
-  state->selection = session->look.selection;
-  state->extent = session->look.extent;
+  state->look = session->look;
   state->camera = session->camera;
   state->told_theme = session->told_theme;
   return state;
@@ -35,7 +32,8 @@ is_same_camera (const Camera *a, const Camera *b)
          && a->centre.x == b->centre.x && a->centre.y == b->centre.y
          && a->centre.z == b->centre.z && a->zoom == b->zoom
          && a->pan_x == b->pan_x && a->pan_y == b->pan_y
-         && a->is_parallel == b->is_parallel;
+         && a->is_parallel == b->is_parallel
+         && a->is_mirrored == b->is_mirrored;
 }
 
 /* The look of a stop. A camera that a person has turned since @from, and a
@@ -44,9 +42,15 @@ is_same_camera (const Camera *a, const Camera *b)
 static void
 put_look (Session *session, const StopState *from, const StopState *state)
 {
-  session_set_layers (session, state->layers);
-  session_set_focus (session, state->focus);
-  session_set_selection (session, state->selection);
+  const SceneLook old = session->look;
+
+  /* What is under the pointer stays there. */
+  session->look = state->look;
+  session->look.hover = old.hover;
+  session->look.has_preview = old.has_preview;
+  session->look.preview = old.preview;
+  session->look.extent = old.extent;
+  session_tell (session, CHANGED_LOOK);
   if (from == NULL || !is_same_camera (&from->camera, &state->camera))
     session_set_camera (session, &state->camera);
   if (from == NULL || from->told_theme != state->told_theme)
@@ -66,9 +70,8 @@ put_state (Session *session, const StopState *from, const StopState *state)
     plane_camera_init (&session->plane_camera);
     session_tell (session, CHANGED_CAMERA);
   }
-  session->look.extent = state->extent;
-  session_tell (session, CHANGED_LOOK);
   put_look (session, from, state);
+  session->look.extent = state->look.extent;
   session_release (session);
 }
 

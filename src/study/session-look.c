@@ -44,6 +44,82 @@ session_set_hover (Session *session, Object object)
   session_tell (session, CHANGED_LOOK);
 }
 
+/* Sets a number of the look; what is no number is not taken. */
+static void
+set_number (Session *session, double *number, double value, double most)
+{
+  if (!(value == value))
+    return;
+  value = CLAMP (value, 0, most);
+  if (value == *number)
+    return;
+  *number = value;
+  session_tell (session, CHANGED_LOOK);
+}
+
+void
+session_set_lift (Session *session, double lift)
+{
+  set_number (session, &session->look.lift, lift, 1);
+}
+
+void
+session_set_raise (Session *session, double raise)
+{
+  set_number (session, &session->look.raise, raise, RAISE_MOST);
+}
+
+void
+session_set_body_opacity (Session *session, Body body, double opacity)
+{
+  set_number (session, &session->look.body_fade[body], 1 - opacity, 1);
+}
+
+void
+session_set_role_opacity (Session *session, Role role, double opacity)
+{
+  set_number (session, &session->look.role_fade[role], 1 - opacity, 1);
+}
+
+void
+session_reset_look (Session *session)
+{
+  session_hold (session);
+  session_set_lift (session, 1);
+  session_set_raise (session, RAISE_DEFAULT);
+  for (Body body = 0; body < N_BODIES; body++)
+    session_set_body_opacity (session, body, 1);
+  for (Role role = 0; role < N_ROLES; role++)
+    session_set_role_opacity (session, role, 1);
+  session_release (session);
+}
+
+void
+session_set_measured (Session *session, Object site)
+{
+  if (object_equal (site, session->look.measured))
+    return;
+  session->look.measured = site;
+  session_tell (session, CHANGED_LOOK);
+}
+
+void
+session_set_preview (Session *session, const Site *preview)
+{
+  SceneLook *look = &session->look;
+  const Site none = { 0, 0 };
+  const gboolean has_preview = preview != NULL;
+
+  if (!has_preview)
+    preview = &none;
+  if (has_preview == look->has_preview && preview->x == look->preview.x
+      && preview->y == look->preview.y)
+    return;
+  look->has_preview = has_preview;
+  look->preview = *preview;
+  session_tell (session, CHANGED_LOOK);
+}
+
 const Camera *
 session_get_camera (Session *session)
 {
@@ -115,6 +191,7 @@ session_fit (Session *session)
 {
   const Quaternion turn = session->camera.turn;
   const gboolean is_parallel = session->camera.is_parallel;
+  const gboolean is_mirrored = session->camera.is_mirrored;
 
   session_hold (session);
   session_fit_extent (session, TRUE);
@@ -122,6 +199,7 @@ session_fit (Session *session)
   camera_init (&session->camera, CAMERA_HOME);
   session->camera.turn = turn;
   session->camera.is_parallel = is_parallel;
+  session->camera.is_mirrored = is_mirrored;
   session_tell (session, CHANGED_CAMERA);
   session_release (session);
 }

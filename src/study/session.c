@@ -46,6 +46,7 @@ session_init (Session *session)
   session->look.layers = LAYERS_DEFAULT;
   session->look.focus = FOCUS_ACTIVE;
   session->look.raise = RAISE_DEFAULT;
+  session->look.lift = 1;
   session->look.extent = site_set_extent (session->run->set);
   camera_init (&session->camera, CAMERA_HOME);
   plane_camera_init (&session->plane_camera);
@@ -122,6 +123,7 @@ session_put_run (Session *session, Run *run, guint step)
   const int shift = session->run->set->exponent - run->set->exponent;
   Extent *extent = &session->look.extent;
 
+  session->look.has_preview = FALSE;
   drop_frame (session);
   run_unref (session->run);
   session->run = run;

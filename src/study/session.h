@@ -137,6 +137,16 @@ void session_set_layers (Session *session, guint layers);
 void session_set_focus (Session *session, Focus focus);
 void session_set_selection (Session *session, Object object);
 void session_set_hover (Session *session, Object object);
+/* Values beyond their range are brought into it. */
+void session_set_lift (Session *session, double lift);   /* 0 … 1 */
+void session_set_raise (Session *session, double raise); /* 0 … RAISE_MOST */
+void session_set_body_opacity (Session *session, Body body, double opacity);
+void session_set_role_opacity (Session *session, Role role, double opacity);
+/* Sites on the paraboloid, the paraboloid where it was, all opaque. */
+void session_reset_look (Session *session);
+void session_set_measured (Session *session, Object site);
+/* Where a site would be added, in units of SiteSet.sites; NULL: nowhere. */
+void session_set_preview (Session *session, const Site *preview);
 const Camera *session_get_camera (Session *session);
 void session_set_camera (Session *session, const Camera *camera);
 const PlaneCamera *session_get_plane_camera (Session *session);

@@ -11,10 +11,7 @@ G_BEGIN_DECLS
 struct StopState {
   Run *run;
   guint step;
-  guint layers;
-  Focus focus;
-  Object selection;
-  Extent extent;
+  SceneLook look; /* without what the pointer makes of it */
   Camera camera;
   int told_theme; /* ThemeKind, or -1: the lesson tells none */
 };
