@@ -265,9 +265,14 @@ make_clusters (Maker *maker)
   Site knot = { 0, 0 };
 
   for (guint i = 0; i < maker->n; i++) {
+    int aside;
+
     if (i % 7 == 0)
-      knot = (Site){ unit (maker), whole (maker, -3, 3) };
-    add (maker, knot.x + ldexp (whole (maker, -9, 9), -40),
+      knot.x = unit (maker);
+    if (i % 7 == 0)
+      knot.y = whole (maker, -3, 3);
+    aside = whole (maker, -9, 9);
+    add (maker, knot.x + ldexp (aside, -40),
          knot.y + ldexp (whole (maker, -9, 9), -40));
   }
 }
@@ -319,8 +324,8 @@ make_powers (Maker *maker)
 static void
 make_offset (Maker *maker)
 {
-  const double far
-      = ldexp (1 + g_rand_double (maker->random), whole (maker, 1, 60));
+  const int exponent = whole (maker, 1, 60);
+  const double far = ldexp (1 + g_rand_double (maker->random), exponent);
 
   for (guint i = 0; i < maker->n; i++) {
     const double x = far + unit (maker);

@@ -159,7 +159,8 @@ test_fifty_rounds_of_2000_sites_are_right (void)
 {
   const guint n_seeds = MIN (fixture_soak_factor (), 10);
 
-  for (guint i = 0; i < n_seeds * N_RBOXES; i++) {
+  /* Of every third kind, but of each in ./dev soak. */
+  for (guint i = 0; i < n_seeds * N_RBOXES; i += n_seeds == 1 ? 3 : 1) {
     g_autofree char *name = g_strdup_printf (
         "%s %u of 2000 sites", rbox_name (i % N_RBOXES), i / N_RBOXES);
     SiteSet *set = rbox_new (i % N_RBOXES, i / N_RBOXES, 2000);
