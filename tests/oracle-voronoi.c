@@ -91,7 +91,8 @@ centre_init (Centre *centre, const Site *a, const Site *b, const Site *c)
   mpq_clears (bx, by, b_square, cx, cy, c_square, doubled, corner, NULL);
 }
 
-/* Whether |value - exact| <= 2^-46 |exact| + the smallest double. */
+/* One part in 1.4e14. Whether |value - exact| <= 2^-47 |exact| + the smallest
+ * double. */
 static bool
 is_near (double value, mpq_t exact)
 {
@@ -103,7 +104,7 @@ is_near (double value, mpq_t exact)
   mpq_sub (error, error, exact);
   mpq_abs (error, error);
   mpq_abs (bound, exact);
-  mpq_div_2exp (bound, bound, 46);
+  mpq_div_2exp (bound, bound, 47);
   mpq_set_d (least, DBL_TRUE_MIN);
   mpq_add (bound, bound, least);
   is_good = mpq_cmp (error, bound) <= 0;
@@ -142,6 +143,8 @@ judge_vertex (const Oracle *oracle, guint triangle, JsonNode *vertex)
   } else {
     JsonArray *at = json_node_get_array (vertex);
 
+    oracle_assert (oracle, !is_beyond_doubles (centre.x)
+                               && !is_beyond_doubles (centre.y));
     oracle_assert (oracle,
                    is_near (json_array_get_double_element (at, 0), centre.x));
     oracle_assert (oracle,

@@ -111,15 +111,49 @@ check_triangles (const Delaunay *delaunay,
   return true;
 }
 
-/* Returns: the root of @triangle in a forest of parents, paths halved. */
-static uint32_t
-forest_root (uint32_t *parent, uint32_t triangle)
+/* Marks all triangles that have one circle with @start and hang together with
+ * it; @stack has room for all. */
+static void
+flood (const Mesh *mesh, uint32_t start, bool *is_reached, uint32_t *stack)
 {
-  while (parent[triangle] != triangle) {
-    parent[triangle] = parent[parent[triangle]];
-    triangle = parent[triangle];
+  uint32_t n_waiting = 1;
+
+  stack[0] = start;
+  is_reached[start] = true;
+  while (n_waiting > 0) {
+    const uint32_t triangle = stack[n_waiting - 1];
+
+    n_waiting -= 1;
+    for (uint32_t k = 0; k < 3; k += 1) {
+      const uint32_t neighbour = mesh->neighbours[triangle][k];
+
+      if (neighbour == INDEX_NONE || is_reached[neighbour]
+          || opposite_side (mesh, triangle, k) != 0)
+        continue;
+      is_reached[neighbour] = true;
+      stack[n_waiting] = neighbour;
+      n_waiting += 1;
+    }
   }
-  return triangle;
+}
+
+/* Returns: the number of connected sets of triangles with one circle. */
+static uint32_t
+count_groups (const Mesh *mesh)
+{
+  const uint32_t n = mesh->n_triangles;
+  bool *is_reached = memory_new (n, sizeof *is_reached);
+  uint32_t *stack = memory_new (n, sizeof *stack);
+  uint32_t n_groups = 0;
+
+  for (uint32_t i = 0; i < n; i += 1)
+    if (!is_reached[i]) {
+      flood (mesh, i, is_reached, stack);
+      n_groups += 1;
+    }
+  free (is_reached);
+  free (stack);
+  return n_groups;
 }
 
 /* Checks that there are as many groups as connected sets of triangles with
@@ -131,29 +165,16 @@ check_groups (const Delaunay *delaunay,
               char why[CERTIFY_ROOM])
 {
   const uint32_t n = mesh->n_triangles;
-  uint32_t *parent = memory_new (n, sizeof *parent);
+  const uint32_t n_sets = count_groups (mesh);
   bool *is_used = memory_new (delaunay->n_groups, sizeof *is_used);
-  uint32_t n_sets = n, n_used = 0;
+  uint32_t n_used = 0;
 
   for (uint32_t i = 0; i < n; i += 1) {
     bool *mark = &is_used[delaunay->triangles[i].group];
 
-    parent[i] = i;
     n_used += *mark ? 0 : 1;
     *mark = true;
   }
-  for (uint32_t i = 0; i < 3 * n; i += 1) {
-    const uint32_t neighbour = mesh->neighbours[i / 3][i % 3];
-    uint32_t a, b;
-
-    if (neighbour == INDEX_NONE || opposite_side (mesh, i / 3, i % 3) != 0)
-      continue;
-    a = forest_root (parent, i / 3);
-    b = forest_root (parent, neighbour);
-    n_sets -= a != b ? 1 : 0;
-    parent[a] = b;
-  }
-  free (parent);
   free (is_used);
   return check_count ("circle groups", delaunay->n_groups, n_sets, why)
          && check_count ("circle groups in use", n_used, n_sets, why);

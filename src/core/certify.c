@@ -3,6 +3,7 @@
 #include "memory.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static const uint32_t *
 facet_sites (const Frame *frame, uint32_t facet)
@@ -66,25 +67,43 @@ is_reversed (const uint32_t a[3], const uint32_t b[3])
   return false;
 }
 
+/* Returns: for each facet ever born whether it stands; free with free(). */
+static bool *
+mark_standing (const Frame *frame)
+{
+  bool *stands = memory_new (frame->trace->n_facets, sizeof *stands);
+
+  for (uint32_t i = 0; i < frame->n_facets; i += 1)
+    stands[frame->facets[i].facet]
+        = (frame->facets[i].roles & FACET_STANDS) != 0;
+  return stands;
+}
+
+/* Whether a triangle is the shadow of its facet; flat sites have none. */
+static bool
+is_shadow (const Frame *frame, const bool *stands, uint32_t index)
+{
+  const Triangle *triangle = &frame->delaunay.triangles[index];
+
+  if (frame->delaunay.lift_dimension < 3)
+    return triangle->facet == index;
+  return triangle->facet < frame->trace->n_facets && stands[triangle->facet]
+         && is_reversed (triangle->site, facet_sites (frame, triangle->facet));
+}
+
 /* Checks that every triangle is the shadow of its own facet. Both are as many
  * by their counts. */
 static bool
 check_shadows (const Frame *frame, char why[CERTIFY_ROOM])
 {
-  const Delaunay *delaunay = &frame->delaunay;
+  bool *stands = mark_standing (frame);
+  uint32_t i = 0;
 
-  for (uint32_t i = 0; i < delaunay->n_triangles; i += 1) {
-    const Triangle *triangle = &delaunay->triangles[i];
-
-    if (delaunay->lift_dimension < 3) {
-      if (triangle->facet != i)
-        return certify_fault (why, "triangle %u has a facet", i);
-    } else if ((frame_facet_roles (frame, triangle->facet) & FACET_STANDS) == 0
-               || !is_reversed (triangle->site,
-                                facet_sites (frame, triangle->facet)))
-      return certify_fault (why, "triangle %u is not a facet's shadow", i);
-  }
-  return true;
+  while (i < frame->delaunay.n_triangles && is_shadow (frame, stands, i))
+    i += 1;
+  free (stands);
+  return i == frame->delaunay.n_triangles
+         || certify_fault (why, "triangle %u is not a facet's shadow", i);
 }
 
 static bool
@@ -154,16 +173,28 @@ rotation_of (uint32_t a, uint32_t b, uint32_t c)
   return b < c ? (Rotation){ { b, c, a } } : (Rotation){ { c, a, b } };
 }
 
-static int
-compare_rotations (const void *a, const void *b)
+/* Sorts by the third site, then by the second, then by the first: each time
+ * those of one site stay in their order. */
+static void
+sort_rotations (Rotation *rotations, uint32_t n, uint32_t n_sites)
 {
-  const uint32_t *left = ((const Rotation *)a)->site;
-  const uint32_t *right = ((const Rotation *)b)->site;
+  Rotation *sorted = memory_new (n, sizeof *sorted);
 
-  for (uint32_t k = 0; k < 3; k += 1)
-    if (left[k] != right[k])
-      return left[k] < right[k] ? -1 : 1;
-  return 0;
+  for (int k = 2; k >= 0; k -= 1) {
+    uint32_t *place = memory_new ((size_t)n_sites + 1, sizeof *place);
+
+    for (uint32_t i = 0; i < n; i += 1)
+      place[rotations[i].site[k] + 1] += 1;
+    for (uint32_t i = 0; i < n_sites; i += 1)
+      place[i + 1] += place[i];
+    for (uint32_t i = 0; i < n; i += 1) {
+      sorted[place[rotations[i].site[k]]] = rotations[i];
+      place[rotations[i].site[k]] += 1;
+    }
+    memcpy (rotations, sorted, n * sizeof *sorted);
+    free (place);
+  }
+  free (sorted);
 }
 
 /* Checks that the triangles are just the shadows of the lower facets. */
@@ -188,11 +219,10 @@ check_triangles (const Result *result, char why[CERTIFY_ROOM])
 
     shadows[i] = rotation_of (s[0], s[1], s[2]);
   }
-  qsort (lower, n_lower, sizeof *lower, compare_rotations);
-  qsort (shadows, delaunay->n_triangles, sizeof *shadows, compare_rotations);
-  is_good = n_lower == delaunay->n_triangles;
-  for (i = 0; is_good && i < n_lower; i += 1)
-    is_good = compare_rotations (&lower[i], &shadows[i]) == 0;
+  sort_rotations (lower, n_lower, result->set->n_sites);
+  sort_rotations (shadows, delaunay->n_triangles, result->set->n_sites);
+  is_good = n_lower == delaunay->n_triangles
+            && memcmp (lower, shadows, n_lower * sizeof *lower) == 0;
   free (lower);
   free (shadows);
   return is_good
