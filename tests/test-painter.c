@@ -20,24 +20,53 @@ typedef struct Case {
   Place place;
   uint32_t layers; /* more than the default ones */
   Object selection;
+  ThemeKind theme;
 } Case;
 
 static const Case cases[] = {
   { .name = "lecture8-start", .sites = "lecture8" },
-  { "lecture8-choose", "lecture8", { 1, PHASE_CHOOSE }, 0, { 0 } },
-  { "lecture8-see", "lecture8", { 4, PHASE_SEE }, 0, { 0 } },
-  { "lecture8-horizon", "lecture8", { 3, PHASE_HORIZON }, 0, { 0 } },
-  { "lecture8-cone", "lecture8", { 4, PHASE_CONE }, 0, { 0 } },
-  { "lecture8-hand-over", "lecture8", { 4, PHASE_HAND_OVER }, 0, { 0 } },
+  { "lecture8-choose", "lecture8", { 1, PHASE_CHOOSE }, 0, { 0 }, THEME_LIGHT },
+  { "lecture8-see", "lecture8", { 4, PHASE_SEE }, 0, { 0 }, THEME_LIGHT },
+  { "lecture8-horizon",
+    "lecture8",
+    { 3, PHASE_HORIZON },
+    0,
+    { 0 },
+    THEME_LIGHT },
+  { "lecture8-cone", "lecture8", { 4, PHASE_CONE }, 0, { 0 }, THEME_LIGHT },
+  { "lecture8-hand-over",
+    "lecture8",
+    { 4, PHASE_HAND_OVER },
+    0,
+    { 0 },
+    THEME_LIGHT },
   { "lecture8-selected",
     "lecture8",
     { 0, PHASE_COMPLETE },
     LAYER_CIRCLES,
-    { OBJECT_FACET, 17 } },
-  { "mixed8-see-upper", "mixed8", { 2, PHASE_SEE }, 0, { 0 } },
-  { "mixed8-cone-both", "mixed8", { 4, PHASE_CONE }, 0, { 0 } },
-  { "grid9-end", "grid9", { 0, PHASE_COMPLETE }, 0, { OBJECT_SITE, 4 } },
-  { "square4-end", "square4", { 0, PHASE_COMPLETE }, 0, { 0 } },
+    { OBJECT_FACET, 17 },
+    THEME_LIGHT },
+  { "mixed8-see-upper", "mixed8", { 2, PHASE_SEE }, 0, { 0 }, THEME_LIGHT },
+  { "mixed8-cone-both", "mixed8", { 4, PHASE_CONE }, 0, { 0 }, THEME_LIGHT },
+  { "grid9-end",
+    "grid9",
+    { 0, PHASE_COMPLETE },
+    0,
+    { OBJECT_SITE, 4 },
+    THEME_LIGHT },
+  { "square4-end", "square4", { 0, PHASE_COMPLETE }, 0, { 0 }, THEME_LIGHT },
+#define THEME_CASES(name, theme)                                               \
+  { name "-see", "lecture8", { 4, PHASE_SEE }, 0, { 0 }, theme },              \
+      { name "-selected", "lecture8",           { 0, PHASE_COMPLETE },         \
+        LAYER_CIRCLES,    { OBJECT_FACET, 17 }, theme },                       \
+  {                                                                            \
+    name "-cone", "mixed8", { 4, PHASE_CONE }, 0, { 0 }, theme                 \
+  }
+  THEME_CASES ("paper", THEME_PAPER),
+  THEME_CASES ("projector", THEME_PROJECTOR),
+  THEME_CASES ("dark", THEME_DARK),
+  THEME_CASES ("print", THEME_PRINT),
+  THEME_CASES ("contrast", THEME_CONTRAST),
 };
 
 #define N_CASES (sizeof cases / sizeof cases[0])
@@ -100,6 +129,7 @@ paint_case (const Case *what, PictureView view)
   frame_init (&frame, fixture->trace, step);
   picture_init (&picture, view, &frame);
   picture.width = picture.height = 420;
+  picture.theme = theme_get (what->theme);
   picture.look.layers |= what->layers;
   picture.look.selection = what->selection;
   picture_paint (&picture, &frame, cr);
@@ -180,84 +210,6 @@ test_compare (void)
   cairo_surface_destroy (diff);
   cairo_surface_destroy (cone);
   cairo_surface_destroy (see);
-}
-
-/* WCAG asks 3:1 of graphics. Areas and the fine lines of the paraboloid are
- * grounds, not marks. */
-static void
-test_contrast (void)
-{
-  int kind, role;
-
-  for (kind = 0; kind < N_THEMES; kind++) {
-    const Theme *theme = theme_get ((ThemeKind)kind);
-
-    for (role = 0; role < N_ROLES; role++) {
-      const SceneItem item
-          = { .role = (Role)role, .emphasis = EMPHASIS_NORMAL };
-      const Style style = theme_style (theme, &item);
-      guint32 hue;
-
-      if (role == ROLE_SHEET || role == ROLE_VERTICAL || style.line.alpha == 0)
-        continue;
-      for (hue = 0; hue < 24; hue++) {
-        const SceneItem cell
-            = { .role = ROLE_CELL, .hue = hue, .emphasis = EMPHASIS_NORMAL };
-        const Colour ground = theme_style (theme, &cell).fill;
-        const Colour line = colour_over (style.line, ground);
-
-        if (colour_contrast (line, ground) < 3)
-          g_error ("%s: role %d has contrast %g on cell %u", theme->name, role,
-                   colour_contrast (line, ground), hue);
-      }
-    }
-  }
-}
-
-static void
-test_text_contrast (void)
-{
-  int kind;
-
-  for (kind = 0; kind < N_THEMES; kind++) {
-    const Theme *theme = theme_get ((ThemeKind)kind);
-
-    g_assert_cmpfloat (colour_contrast (theme->text, theme->background), >=,
-                       4.5);
-    g_assert_cmpfloat (colour_contrast (theme->apex_text, theme->background),
-                       >=, 4.5);
-  }
-  g_assert_cmpfloat (
-      fabs (colour_contrast ((Colour){ 0, 0, 0, 1 }, (Colour){ 1, 1, 1, 1 })
-            - 21),
-      <, 1e-9);
-  /* #777777 on white: a known value. */
-  g_assert_cmpfloat (
-      fabs (colour_contrast (
-                (Colour){ 0x77 / 255.0, 0x77 / 255.0, 0x77 / 255.0, 1 },
-                (Colour){ 1, 1, 1, 1 })
-            - 4.48),
-      <, 0.01);
-}
-
-/* The hue of a cell stays with its site, whatever else changes, and differs
- * from that of the next sites. */
-static void
-test_hues (void)
-{
-  const Theme *theme = theme_get (THEME_LIGHT);
-  guint32 i;
-
-  for (i = 0; i < 40; i++) {
-    const SceneItem a = { .role = ROLE_CELL, .hue = i };
-    const SceneItem b = { .role = ROLE_CELL, .hue = i + 1 };
-    const Colour p = theme_style (theme, &a).fill;
-    const Colour q = theme_style (theme, &b).fill;
-
-    g_assert_cmpfloat (fabs (p.red - q.red) + fabs (p.green - q.green)
-                           + fabs (p.blue - q.blue),
-                       >, 0.02);
-  }
 }
 
 static gboolean
@@ -360,6 +312,69 @@ test_labels_are_left_out (void)
   label_sheet_free (sheet);
 }
 
+/* Pixels that are greener than red and than blue by far. */
+static guint
+count_green (cairo_surface_t *surface)
+{
+  guint n = 0;
+  int x, y;
+
+  for (y = 0; y < cairo_image_surface_get_height (surface); y++)
+    for (x = 0; x < cairo_image_surface_get_width (surface); x++) {
+      const unsigned char *pixel = row_of (surface, y) + 4 * x;
+
+      n += pixel[1] > pixel[0] + 30 && pixel[1] > pixel[2] + 30;
+    }
+  return n;
+}
+
+static guint
+count_green_at (uint32_t step, CameraPreset preset, const Theme *theme)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
+  cairo_surface_t *surface
+      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 300, 300);
+  cairo_t *cr = cairo_create (surface);
+  Picture picture;
+  Frame frame;
+  guint n;
+
+  frame_init (&frame, fixture->trace, step);
+  picture_init (&picture, PICTURE_SPACE, &frame);
+  picture.width = picture.height = 300;
+  picture.theme = theme;
+  picture.look.layers = LAYER_HULL | LAYER_PARABOLOID;
+  camera_init (&picture.camera, preset);
+  picture_paint (&picture, &frame, cr);
+  cairo_destroy (cr);
+  cairo_surface_flush (surface);
+  n = count_green (surface);
+  cairo_surface_destroy (surface);
+  frame_clear (&frame);
+  return n;
+}
+
+/* With upper facets in grey and without lines nothing may be green: neither
+ * cyan facets before the yellow sheet, nor pale ones, nor those far behind. */
+static void
+test_paper_has_no_clash (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
+  const uint32_t end = fixture->trace->n_events;
+  Theme theme = *theme_get (THEME_PAPER);
+  uint32_t step;
+  int role;
+
+  g_assert_cmpuint (count_green_at (end, CAMERA_LOOK_DOWN, &theme), >, 3000);
+  theme.styles[ROLE_UPPER].fill = (Colour){ 0.5, 0.5, 0.5, 1 };
+  for (role = 0; role < N_ROLES; role++)
+    theme.styles[role].line.alpha = theme.pale_lines[role].alpha = 0;
+  for (step = 0; step <= end; step++) {
+    g_assert_cmpuint (count_green_at (step, CAMERA_LOOK_UP, &theme), <, 30);
+    g_assert_cmpuint (count_green_at (step, CAMERA_HOME, &theme), <, 30);
+  }
+}
+
 /* Every role leaves ink in its legend's sample. */
 static void
 test_swatches (void)
@@ -393,10 +408,8 @@ main (int argc, char **argv)
   g_test_add_func ("/painter/space-looks-as-it-was-seen", test_space);
   g_test_add_func ("/painter/the-comparison-tells-phases-apart", test_compare);
   g_test_add_func ("/painter/every-role-has-a-sample", test_swatches);
-  g_test_add_func ("/theme/every-mark-stands-out-from-every-cell",
-                   test_contrast);
-  g_test_add_func ("/theme/names-can-be-read", test_text_contrast);
-  g_test_add_func ("/theme/the-next-site-has-another-hue", test_hues);
+  g_test_add_func ("/painter/no-facet-of-the-paper-is-green-by-mixture",
+                   test_paper_has_no_clash);
   g_test_add_func ("/label/names-sit-on-no-mark-and-no-name", test_labels);
   g_test_add_func ("/label/names-keep-off-lines", test_labels_avoid_lines);
   g_test_add_func ("/label/only-the-unimportant-are-left-out",

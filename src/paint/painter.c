@@ -71,8 +71,9 @@ adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
   if (item->shape == SHAPE_PATH) {
     style->width *= FAR_WIDTH;
     style->line.alpha *= FAR_ALPHA;
+    style->casing = 0;
   } else if (item->emphasis != EMPHASIS_LOUD) {
-    style->fill.alpha *= FAR_FILL;
+    style->fill.alpha *= painter->theme->has_mat ? 0 : FAR_FILL;
     style->line.alpha *= FAR_FILL;
   }
 }
@@ -174,8 +175,8 @@ paint_path (Painter *painter, const SceneItem *item)
   brush_line (painter->cr, &style);
 }
 
-/* The casings of a chain of lines come before all its lines, or they would
- * cut them where they meet.
+/* The casings of a chain of lines of one depth come before all its lines, or
+ * they would cut them where they meet.
  *
  * Returns: the item after the chain that begins at @first. */
 static uint32_t
@@ -188,7 +189,11 @@ paint_casings (Painter *painter, uint32_t first)
     const SceneItem *item = &scene->items[i];
     const Style style = painter_style (painter, item);
 
-    if (item->shape != SHAPE_PATH || !(style.casing > 0))
+    if (item->shape != SHAPE_PATH)
+      break;
+    if (painter->depths[i] != painter->depths[first])
+      continue;
+    if (!(style.casing > 0))
       break;
     painter_trace (painter, item, style.width);
     brush_casing (painter->cr, &style, painter->theme);
@@ -238,6 +243,27 @@ paint_depth (Painter *painter, SceneDepth depth)
       paint_mark (painter, item);
       break;
     }
+  }
+}
+
+/* Background where the hull will be, so that the sheet behind it shines
+ * through no facet. */
+static void
+paint_mat (Painter *painter)
+{
+  const Colour background = painter->theme->background;
+  const Style mat = { .fill = background, .line = background, .width = 1 };
+  uint32_t i, n;
+
+  for (i = 0; i < painter->scene->n_items; i++) {
+    const SceneItem *item = &painter->scene->items[i];
+
+    if (item->pass != PASS_HULL || item->shape != SHAPE_POLYGON)
+      continue;
+    n = clip_polygon (painter->projection, &painter->scene->points[item->first],
+                      item->n, PAINTER_MARGIN, painter->corners);
+    if (n > 0)
+      brush_polygon (painter->cr, &mat, painter->theme, painter->corners, n);
   }
 }
 
@@ -314,6 +340,8 @@ painter_paint (cairo_t *cr,
   if (!(flags & PAINTER_CLEAR))
     paint_background (&painter);
   for (depth = 0; depth < N_SCENE_DEPTHS; depth++) {
+    if (depth == DEPTH_CONE_FAR && theme->has_mat)
+      paint_mat (&painter);
     if (depth == DEPTH_SHEET_FAR || depth == DEPTH_SHEET_NEAR)
       painter_paint_sheet (&painter, depth == DEPTH_SHEET_NEAR);
     else

@@ -46,6 +46,5 @@ theme_print (Theme *theme)
   hatch (theme, ROLE_CONE_UPPER, HATCH_GRID, 0x505050);
   dash (theme, ROLE_SELECTED_FACET, 14, 5);
   dash (theme, ROLE_VISIBLE_EDGE, 10, 4);
-  dash (theme, ROLE_LIFT_OUTSIDE, 1.5, 3);
   dash (theme, ROLE_CIRCLE_SELECTED, 18, 3);
 }

@@ -27,14 +27,13 @@ static const Row rows[N_ROLES] = {
   [ROLE_LOWER]
   = { .fill = INK_LOWER, .fill_alpha = 0.66, .style = { .is_shaded = true } },
   [ROLE_UPPER]
-  = { .fill = INK_UPPER, .fill_alpha = 0.42, .style = { .is_shaded = true } },
+  = { .fill = INK_UPPER, .fill_alpha = 0.55, .style = { .is_shaded = true } },
   [ROLE_VERTICAL] = { .fill = INK_VERTICAL,
                       .fill_alpha = 0.4,
                       .line = INK_VERTICAL_LINE,
-                      .line_alpha = 0.75,
                       .style = { .hatch = HATCH_CROSSED, .is_shaded = true } },
   [ROLE_VISIBLE] = { .fill = INK_VISIBLE,
-                     .fill_alpha = 0.17,
+                     .fill_alpha = 0.12,
                      .line = INK_VISIBLE,
                      .style = { .hatch = HATCH_RISING } },
   [ROLE_VISIBLE_UPPER] = { .fill = INK_VISIBLE,
@@ -42,14 +41,14 @@ static const Row rows[N_ROLES] = {
                            .line = INK_VISIBLE_UPPER,
                            .style = { .hatch = HATCH_FALLING } },
   [ROLE_RETIRED]
-  = { .line = INK_VISIBLE, .style = { .width = 1.4, .dash = 3, .gap = 4 } },
+  = { .line = INK_VISIBLE,
+      .style = { .width = 1.4, .dash = 3, .gap = 4, .casing = 3.4 } },
   [ROLE_CONE]
   = { .fill = INK_CONE, .fill_alpha = 0.42, .style = { .is_shaded = true } },
   [ROLE_CONE_UPPER]
   = { .fill = INK_CONE,
       .fill_alpha = 0.2,
       .line = INK_CONE_LINE,
-      .line_alpha = 0.8,
       .style = { .hatch = HATCH_FALLING, .is_shaded = true } },
   [ROLE_SELECTED_FACET]
   = { .line = INK_IN_HAND, .style = { .width = 4, .casing = 7 } },
@@ -61,12 +60,16 @@ static const Row rows[N_ROLES] = {
                    .style = { .width = 1.2 } },
   [ROLE_CIRCLE] = { .line = INK_CIRCLE, .style = { .width = 1.1 } },
   [ROLE_CIRCLE_VISIBLE]
-  = { .line = INK_VISIBLE, .style = { .width = 2, .dash = 8, .gap = 5 } },
-  [ROLE_CIRCLE_UPPER] = { .line = INK_VISIBLE_UPPER,
-                          .style = { .width = 2, .dash = 0.5, .gap = 5 } },
+  = { .line = INK_VISIBLE,
+      .style = { .width = 2, .dash = 8, .gap = 5, .casing = 4 } },
+  [ROLE_CIRCLE_UPPER]
+  = { .line = INK_VISIBLE_UPPER,
+      .style = { .width = 2, .dash = 0.5, .gap = 5, .casing = 4 } },
   [ROLE_CIRCLE_SELECTED]
-  = { .line = INK_APEX, .style = { .width = 2, .dash = 12, .gap = 4 } },
-  [ROLE_ELLIPSE] = { .line = INK_APEX, .style = { .width = 2.6 } },
+  = { .line = INK_APEX,
+      .style = { .width = 2, .dash = 12, .gap = 4, .casing = 4 } },
+  [ROLE_ELLIPSE]
+  = { .line = INK_APEX, .style = { .width = 2.6, .casing = 4.6 } },
   [ROLE_VORONOI_EDGE] = { .line = INK_VORONOI, .style = { .width = 1.3 } },
   [ROLE_DELAUNAY_EDGE] = { .line = INK_DELAUNAY, .style = { .width = 2.6 } },
   [ROLE_TANGENT_EDGE] = { .line = INK_VORONOI, .style = { .width = 1.5 } },
@@ -80,10 +83,13 @@ static const Row rows[N_ROLES] = {
   = { .line = INK_HOVER, .style = { .width = 1.8, .dash = 2, .gap = 3 } },
   [ROLE_CONTOUR] = { .line = INK_SHEET_LINE, .style = { .width = 1 } },
   [ROLE_FREE_EDGE]
-  = { .line = INK_DELAUNAY, .style = { .width = 1.8, .dash = 6, .gap = 5 } },
+  = { .line = INK_DELAUNAY,
+      .style = { .width = 1.8, .dash = 6, .gap = 5, .casing = 3.8 } },
   [ROLE_RIDGE] = { .line = INK_RIDGE, .style = { .width = 1.5 } },
-  [ROLE_VISIBLE_EDGE] = { .line = INK_VISIBLE, .style = { .width = 2.8 } },
-  [ROLE_CONE_EDGE] = { .line = INK_CONE_LINE, .style = { .width = 3.8 } },
+  [ROLE_VISIBLE_EDGE]
+  = { .line = INK_VISIBLE, .style = { .width = 2.8, .casing = 5 } },
+  [ROLE_CONE_EDGE]
+  = { .line = INK_CONE_LINE, .style = { .width = 3.8, .casing = 6 } },
   [ROLE_HORIZON]
   = { .line = INK_HORIZON, .style = { .width = 5, .casing = 9 } },
   [ROLE_HORIZON_UPPER]
@@ -94,7 +100,7 @@ static const Row rows[N_ROLES] = {
   [ROLE_LIFT_APEX]
   = { .line = INK_APEX, .style = { .width = 2.2, .dash = 5, .gap = 4 } },
   [ROLE_LIFT_OUTSIDE]
-  = { .line = INK_IN_HAND, .style = { .width = 1.3, .dash = 4, .gap = 4 } },
+  = { .line = INK_IN_HAND, .style = { .width = 1.6, .dash = 2, .gap = 3 } },
   [ROLE_DROP]
   = { .line = INK_IN_HAND, .style = { .width = 2.6, .dash = 0.1, .gap = 5 } },
   [ROLE_GAP] = { .line = INK_APEX, .style = { .width = 3.6, .casing = 6.5 } },
@@ -104,7 +110,8 @@ static const Row rows[N_ROLES] = {
   [ROLE_VORONOI_VERTEX_DYING]
   = { .fill = INK_PAPER,
       .line = INK_VISIBLE,
-      .style = { .width = 2, .mark = MARK_DIAMOND, .radius = 6.5 } },
+      .style
+      = { .width = 2, .casing = 1.2, .mark = MARK_DIAMOND, .radius = 6.5 } },
   [ROLE_FURTHEST_VERTEX]
   = { .fill = INK_PAPER,
       .line = INK_FURTHEST,
@@ -117,7 +124,8 @@ static const Row rows[N_ROLES] = {
   [ROLE_FOOT]
   = { .line = INK_FOOT, .style = { .mark = MARK_DOT, .radius = 2.8 } },
   [ROLE_FOOT_APEX]
-  = { .line = INK_APEX, .style = { .mark = MARK_DOT, .radius = 4.6 } },
+  = { .line = INK_APEX,
+      .style = { .casing = 1, .mark = MARK_DOT, .radius = 4.6 } },
   [ROLE_SITE] = { .line = INK_SITE,
                   .style = { .casing = 1.8, .mark = MARK_DOT, .radius = 5 } },
   [ROLE_SITE_WAITING]
@@ -165,6 +173,7 @@ theme_dip (Theme *theme, const Palette *palette)
     .background = dip (palette, INK_BACKGROUND, 1),
     .text = dip (palette, INK_TEXT, 1),
     .selection = dip (palette, INK_APEX, 1),
+    .selected_facet = dip (palette, INK_APEX, 1),
     .hover = dip (palette, INK_HOVER, 1),
     .apex_text = dip (palette, INK_APEX, 1),
     .font = "DejaVu Sans, sans",
@@ -174,6 +183,7 @@ theme_dip (Theme *theme, const Palette *palette)
     .hatch_px = 8,
     .cell_lightness = 0.955,
     .cell_chroma = 0.028,
+    .cell_loudness = 2,
     .pale_line = 0.55,
     .pale_fill = 0.32,
   };

@@ -8,7 +8,6 @@
 
 /* How much the look changes for what is lit, and for a new cell. */
 #define HALO_WIDTH 4.0
-#define LOUD_CHROMA 2.0
 #define LOUD_LIGHTNESS 0.97
 
 /* What is pale is thinner, and its contrast never less than this.
@@ -62,7 +61,8 @@ theme_init (Theme *theme, const Appearance *appearance)
 static Colour
 cell_colour (const Theme *theme, uint32_t hue, bool is_loud)
 {
-  const double chroma = theme->cell_chroma * (is_loud ? LOUD_CHROMA : 1);
+  const double chroma
+      = theme->cell_chroma * (is_loud ? theme->cell_loudness : 1);
   const double lightness
       = theme->cell_lightness * (is_loud ? LOUD_LIGHTNESS : 1);
 
@@ -140,9 +140,17 @@ make_pale (const Theme *theme, Role role, Style *style)
   style->line = theme->pale_lines[role];
   style->fill.alpha *= theme->pale_fill;
   style->width *= PALE_WIDTH;
+  style->casing *= PALE_WIDTH;
 }
 
 /* Lit */
+
+static bool
+is_of_facet (const SceneItem *item)
+{
+  return item->role == ROLE_LIT || item->role == ROLE_CIRCLE_SELECTED
+         || (item->shape == SHAPE_POLYGON && item->role != ROLE_CELL);
+}
 
 /* Outlines and circles of what is lit change their colour; all other shapes
  * keep their look and get a halo. */
@@ -150,7 +158,9 @@ static void
 make_lit (const Theme *theme, const SceneItem *item, Style *style)
 {
   const bool is_selected = item->lit == LIT_SELECTED;
-  const Colour colour = is_selected ? theme->selection : theme->hover;
+  const Colour selection
+      = is_of_facet (item) ? theme->selected_facet : theme->selection;
+  const Colour colour = is_selected ? selection : theme->hover;
   const bool is_thin
       = item->role >= ROLE_LIFT && item->role <= ROLE_LIFT_OUTSIDE;
 

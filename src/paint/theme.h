@@ -56,15 +56,19 @@ typedef struct Style {
 typedef struct Theme {
   const char *name;
   Colour background, text, selection, hover;
-  Colour apex_text;   /* label of the site in hand */
-  const char *font;   /* Pango family list of labels */
-  double text_px;     /* labels; that of the site in hand is larger */
-  double line_factor; /* theme_style() multiplies widths and dashes by it */
-  double mark_factor; /* and the lengths of marks by this */
-  double hatch_px;    /* between two strokes */
+  Colour selected_facet; /* and its circle; else as selection */
+  Colour apex_text;      /* label of the site in hand */
+  const char *font;      /* Pango family list of labels */
+  double text_px;        /* labels; that of the site in hand is larger */
+  double line_factor;    /* theme_style() multiplies widths and dashes by it */
+  double mark_factor;    /* and the lengths of marks by this */
+  double hatch_px;       /* between two strokes */
   double cell_lightness, cell_chroma; /* of the cells' hues, OKLCh */
+  double cell_loudness;               /* by how much a new cell has more */
   double pale_line;                   /* how far what is pale keeps its ink */
   double pale_fill;                   /* alpha of areas that are pale */
+  bool has_mat; /* pure hues: neither the sheet nor far facets may shine
+                   through facets and change them */
   Style styles[N_ROLES];
   Colour pale_lines[N_ROLES]; /* as far from the ground as must be */
 } Theme;
