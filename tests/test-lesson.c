@@ -1,6 +1,7 @@
 #include "expect.h"
 #include "lesson-text.h"
 #include "lesson.h"
+#include "question-click.h"
 #include "scene.h"
 
 #include <glib/gstdio.h>
@@ -231,6 +232,13 @@ test_the_reference_names_every_key (void)
     g_autofree char *quoted = g_strdup_printf ("`%s`", *key);
 
     g_assert_nonnull (strstr (reference, quoted));
+  }
+  for (const char *const *word = condition_words (); *word != NULL; word++)
+    g_assert_nonnull (strstr (reference, *word));
+  for (const char *const *kind = click_kind_names (); *kind != NULL; kind++) {
+    g_autofree char *line = g_strdup_printf ("`click %s", *kind);
+
+    g_assert_nonnull (strstr (reference, line));
   }
   for (guint i = 0; i < N_LAYERS; i++) {
     g_autofree char *quoted

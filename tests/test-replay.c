@@ -74,23 +74,55 @@ test_every_key_can_be_expected (void)
   g_assert_null (strstr (replay->report->str, "not ok"));
 }
 
-/* The reference of the language shows a whole lesson. */
-static void
-test_the_lesson_of_the_reference_holds (void)
+/* The examples of the reference: a whole lesson, and stops of others. */
+static char **
+read_examples (void)
 {
   g_autofree char *path = g_build_filename (g_getenv ("HULL2VD_SOURCE"),
                                             "lessons", "README.md", NULL);
   g_autofree char *reference = NULL;
-  g_autoptr (Lesson) lesson = NULL;
-  g_autoptr (Replay) replay = replay_new ();
-  g_auto (GStrv) parts = NULL;
 
   g_assert_true (g_file_get_contents (path, &reference, NULL, NULL));
-  parts = g_strsplit (reference, "````", -1);
-  g_assert_cmpuint (g_strv_length (parts), ==, 3);
-  lesson = parse (parts[1] + strlen ("markdown\n"));
+  return g_strsplit (reference, "````", -1);
+}
+
+static void
+test_the_lesson_of_the_reference_holds (void)
+{
+  g_auto (GStrv) parts = read_examples ();
+  g_autoptr (Lesson) lesson = parse (parts[1] + strlen ("markdown\n"));
+  g_autoptr (Replay) replay = replay_new ();
+
   g_assert_true (replay_add (replay, lesson, NULL));
   g_assert_cmpuint (replay->n_expects, ==, 3);
+  g_assert_cmpuint (replay->n_failed, ==, 0);
+}
+
+/* Each stop is a lesson of its own: one shows what the next asks. */
+static void
+play_stops (const char *example, Replay *replay)
+{
+  g_auto (GStrv) stops = g_strsplit (example, "\n## ", -1);
+
+  for (guint i = 1; stops[i] != NULL; i++) {
+    g_autofree char *text = g_strconcat (LECTURE "## ", stops[i], "\n", NULL);
+    g_autoptr (Lesson) lesson = parse (text);
+
+    g_assert_nonnull (lesson_stop (lesson, 0)->question);
+    g_assert_true (replay_add (replay, lesson, NULL));
+  }
+}
+
+static void
+test_the_examples_of_the_reference_hold (void)
+{
+  g_auto (GStrv) parts = read_examples ();
+  g_autoptr (Replay) replay = replay_new ();
+
+  for (guint i = 3; i < g_strv_length (parts); i += 2)
+    play_stops (parts[i] + strlen ("markdown"), replay);
+  g_test_message ("%s", replay->report->str);
+  g_assert_cmpuint (replay->n_expects, >, 4 * 20);
   g_assert_cmpuint (replay->n_failed, ==, 0);
 }
 
@@ -104,6 +136,8 @@ static const struct {
   { "/replay/every-key-can-be-expected", test_every_key_can_be_expected },
   { "/replay/the-lesson-of-the-reference-holds",
     test_the_lesson_of_the_reference_holds },
+  { "/replay/the-examples-of-the-reference-hold",
+    test_the_examples_of_the_reference_hold },
 };
 
 int

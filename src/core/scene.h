@@ -196,9 +196,18 @@ typedef enum Focus {
 const char *focus_name (Focus focus);
 bool focus_parse (const char *name, Focus *focus);
 
+/* What is not shown while a question is open. */
+typedef enum SceneMask {
+  MASK_ROUND = 1 << 0,  /* what the round in hand has found: all facets only
+                           stand; the site in hand is shown */
+  MASK_FACING = 1 << 1, /* lower, upper, vertical; and the diagrams, which are
+                           the lower facets */
+} SceneMask;
+
 /* How a person looks at a frame; no part of it changes the frame. */
 typedef struct SceneLook {
   uint32_t layers; /* Layer bits */
+  uint32_t mask;   /* SceneMask bits */
   Focus focus;
   Extent extent;
   double raise; /* of the paraboloid above the plane, scene units */

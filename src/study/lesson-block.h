@@ -7,25 +7,21 @@
 
 G_BEGIN_DECLS
 
-typedef struct LessonLines {
-  guint first, last; /* last < first: none */
-} LessonLines;
-
 /* Reads a lesson block: format and sites, each once. Files of sites are
- * looked for below @folder alone. */
-gboolean lesson_block_read_head (const LessonSource *source,
-                                 const LessonLines *lines,
-                                 const char *folder,
-                                 Lesson *lesson,
-                                 GError **error);
+ * looked for below @folder alone. What is wrong is told to @faults. */
+void lesson_block_read_head (const LessonSource *source,
+                             const LessonLines *lines,
+                             const char *folder,
+                             Lesson *lesson,
+                             LessonFaults *faults);
 
 /* Reads a steps block: adds a LessonCommand to @commands for each line, and
  * to *@n_commands, those of the whole lesson. */
-gboolean lesson_block_read_steps (const LessonSource *source,
-                                  const LessonLines *lines,
-                                  guint *n_commands,
-                                  GPtrArray *commands,
-                                  GError **error);
+void lesson_block_read_steps (const LessonSource *source,
+                              const LessonLines *lines,
+                              guint *n_commands,
+                              GPtrArray *commands,
+                              LessonFaults *faults);
 
 void lesson_command_free (gpointer command);
 

@@ -41,26 +41,50 @@ read_descriptor (int descriptor, gsize *length, GError **error)
   return g_steal_pointer (&text);
 }
 
+/* Returns: (transfer full): the bytes of a lesson, or NULL with @error set. */
+static char *
+read_lesson (const char *path, gsize *length, GError **error)
+{
+  const int descriptor = g_open (path, O_RDONLY | O_CLOEXEC | O_NONBLOCK, 0);
+  g_autofree char *name = display_path (path);
+  g_autoptr (GError) reason = NULL;
+  char *text = NULL;
+
+  if (descriptor >= 0) {
+    /* To open a pipe that nobody writes to must not wait; to read from one
+     * that somebody does may. */
+    fcntl (descriptor, F_SETFL, 0);
+    text = read_descriptor (descriptor, length, &reason);
+    close (descriptor);
+  } else {
+    set_errno_error (errno, &reason);
+  }
+  if (text == NULL)
+    g_set_error (error, LESSON_ERROR, LESSON_ERROR_CANNOT_OPEN, "%s: %s", name,
+                 reason->message);
+  return text;
+}
+
 Lesson *
 lesson_load (const char *path, GError **error)
 {
-  g_autofree char *text = NULL, *name = display_path (path);
-  g_autoptr (GError) reason = NULL;
   gsize length;
-  const int descriptor = g_open (path, O_RDONLY | O_CLOEXEC, 0);
+  g_autofree char *text = read_lesson (path, &length, error);
 
-  if (descriptor >= 0)
-    text = read_descriptor (descriptor, &length, &reason);
-  else
-    set_errno_error (errno, &reason);
-  if (descriptor >= 0)
-    close (descriptor);
-  if (text == NULL) {
-    g_set_error (error, LESSON_ERROR, LESSON_ERROR_CANNOT_OPEN, "%s: %s", name,
-                 reason->message);
-    return NULL;
-  }
-  return lesson_parse (text, length, path, error);
+  return text == NULL ? NULL : lesson_parse (text, length, path, error);
+}
+
+Lesson *
+lesson_load_all (const char *path, LessonFaults *faults)
+{
+  GError *error = NULL;
+  gsize length;
+  g_autofree char *text = read_lesson (path, &length, &error);
+
+  if (text != NULL)
+    return lesson_parse_all (text, length, path, faults);
+  lesson_faults_take (faults, error);
+  return NULL;
 }
 
 static gboolean

@@ -21,10 +21,12 @@ typedef struct Reader {
   Lesson *lesson;
   LessonStop *stop;  /* the one being read; NULL before the first */
   guint lesson_line; /* of the lesson block; 0: not yet */
-  guint steps_line;  /* of the stop's steps block; 0: not yet */
+  guint steps_line;  /* of the stop's last steps block; 0: not yet */
+  guint ask_line;    /* of the stop's ask block; 0: not yet */
   guint n_commands;
   gsize n_prose;
   GString *prose, *note;
+  LessonFaults *faults;
 } Reader;
 
 static guint
@@ -172,25 +174,34 @@ stop_free (gpointer data)
   g_free (stop->note);
   g_ptr_array_unref (stop->commands);
   g_clear_pointer (&stop->state, stop_state_free);
+  g_clear_pointer (&stop->ask_state, stop_state_free);
+  g_clear_pointer (&stop->question, question_unref);
   g_free (stop);
 }
 
+/* A stop begins whatever is wrong with its heading, so that the blocks after
+ * it have one to belong to. */
 static gboolean
 begin_stop (Reader *reader, cmark_node *heading, GError **error)
 {
-  if (reader->lesson_line == 0)
-    return blame (reader, line_of (heading), error,
-                  _ ("the lesson block must stand before the first stop"));
+  const guint line = line_of (heading);
+  const gboolean has_lesson = reader->lesson_line != 0;
+
   if (reader->lesson->stops->len == LESSON_MAX_STOPS)
-    return blame (reader, line_of (heading), error, _ ("more than 1000 stops"));
+    return blame (reader, line, error, _ ("more than 1000 stops"));
   end_text (reader);
   reader->stop = g_new0 (LessonStop, 1);
-  reader->stop->line = line_of (heading);
+  reader->stop->line = line;
   reader->stop->title = heading_words (heading);
   reader->stop->commands = g_ptr_array_new_with_free_func (lesson_command_free);
-  reader->steps_line = 0;
+  reader->steps_line = reader->ask_line = 0;
   g_ptr_array_add (reader->lesson->stops, reader->stop);
-  return check_title (reader, line_of (heading), reader->stop->title, error);
+  if (!has_lesson) {
+    reader->lesson_line = line; /* said once */
+    return blame (reader, line, error,
+                  _ ("the lesson block must stand before the first stop"));
+  }
+  return check_title (reader, line, reader->stop->title, error);
 }
 
 static gboolean
@@ -232,9 +243,18 @@ check_closed (Reader *reader, cmark_node *block, GError **error)
                 _ ("this block is not closed: its last line must be ```"));
 }
 
+/* The lines inside a fenced block. */
+static LessonLines
+lines_of (cmark_node *block)
+{
+  return (LessonLines){ line_of (block) + 1,
+                        (guint)cmark_node_get_end_line (block) - 1 };
+}
+
 static gboolean
 read_lesson_block (Reader *reader, cmark_node *block, GError **error)
 {
+  const LessonLines lines = lines_of (block);
   const guint line = line_of (block);
 
   if (reader->stop != NULL)
@@ -246,36 +266,58 @@ read_lesson_block (Reader *reader, cmark_node *block, GError **error)
                                    "line %u"),
                                 reader->lesson_line);
   reader->lesson_line = line;
-  return lesson_block_read_head (
-      reader->source,
-      &(LessonLines){ line + 1, (guint)cmark_node_get_end_line (block) - 1 },
-      reader->folder, reader->lesson, error);
+  lesson_block_read_head (reader->source, &lines, reader->folder,
+                          reader->lesson, reader->faults);
+  return TRUE;
 }
 
+/* One block of steps, or two round the question: those before it set the
+ * scene, those after it answer. */
 static gboolean
 read_steps_block (Reader *reader, cmark_node *block, GError **error)
 {
+  const LessonLines lines = lines_of (block);
   const guint line = line_of (block);
 
   if (reader->stop == NULL)
     return blame (reader, line, error,
                   _ ("a steps block belongs to a stop: put ## STOP before it"));
-  if (reader->steps_line != 0)
+  if (reader->steps_line > reader->ask_line)
     return lesson_source_blame (reader->source, line, 1, error,
                                 _ ("a second steps block in this stop; the "
                                    "first is in line %u"),
                                 reader->steps_line);
   reader->steps_line = line;
-  return lesson_block_read_steps (
-      reader->source,
-      &(LessonLines){ line + 1, (guint)cmark_node_get_end_line (block) - 1 },
-      &reader->n_commands, reader->stop->commands, error);
+  lesson_block_read_steps (reader->source, &lines, &reader->n_commands,
+                           reader->stop->commands, reader->faults);
+  return TRUE;
+}
+
+static gboolean
+read_ask_block (Reader *reader, cmark_node *block, GError **error)
+{
+  const LessonLines lines = lines_of (block);
+  const guint line = line_of (block);
+
+  if (reader->stop == NULL)
+    return blame (reader, line, error,
+                  _ ("an ask block belongs to a stop: put ## STOP before it"));
+  if (reader->ask_line != 0)
+    return lesson_source_blame (reader->source, line, 1, error,
+                                _ ("a second question in this stop; the first "
+                                   "is in line %u"),
+                                reader->ask_line);
+  reader->ask_line = line;
+  reader->stop->n_setup = reader->stop->commands->len;
+  reader->stop->question
+      = question_parse (reader->source, &lines, reader->faults);
+  return TRUE;
 }
 
 static gboolean
 refuse_block (Reader *reader, guint line, const char *info, GError **error)
 {
-  static const char *const names[] = { "lesson", "steps", "text", NULL };
+  static const char *const names[] = { "lesson", "steps", "ask", "text", NULL };
   g_autofree char *hint = words_hint (info, names);
 
   return lesson_source_blame (reader->source, line, 1, error,
@@ -294,6 +336,8 @@ read_block (Reader *reader, cmark_node *block, GError **error)
     return read_lesson_block (reader, block, error);
   if (g_str_equal (info, "steps"))
     return read_steps_block (reader, block, error);
+  if (g_str_equal (info, "ask"))
+    return read_ask_block (reader, block, error);
   if (g_str_equal (info, "") || g_str_equal (info, "text"))
     return read_prose (reader, block, reader->prose, error);
   return refuse_block (reader, line_of (block), info, error);
@@ -313,7 +357,8 @@ check_inner_blocks (Reader *reader, cmark_node *node, GError **error)
                            ? cmark_node_get_fence_info (inner)
                            : "";
 
-    if (g_str_equal (info, "lesson") || g_str_equal (info, "steps"))
+    if (g_str_equal (info, "lesson") || g_str_equal (info, "steps")
+        || g_str_equal (info, "ask"))
       is_good = lesson_source_blame (reader->source, line_of (inner), 1, error,
                                      _ ("a %s block stands by itself, not in a "
                                         "list or quotation"),
@@ -332,9 +377,11 @@ read_node (Reader *reader, cmark_node *node, GError **error)
 
   if (reader->lesson->title == NULL
       && (type != CMARK_NODE_HEADING
-          || cmark_node_get_heading_level (node) != 1))
+          || cmark_node_get_heading_level (node) != 1)) {
+    reader->lesson->title = g_strdup (""); /* said once */
     return blame (reader, line_of (node), error,
                   _ ("a lesson begins with its title: # TITLE"));
+  }
 
   switch ((int)type) {
   case CMARK_NODE_HEADING:
@@ -368,17 +415,20 @@ check_whole (Reader *reader, GError **error)
   return TRUE;
 }
 
-static gboolean
-read_document (Reader *reader, cmark_node *document, GError **error)
+/* Reads on behind what is wrong, to find all of it. */
+static void
+read_document (Reader *reader, cmark_node *document)
 {
-  for (cmark_node *node = cmark_node_first_child (document); node != NULL;
+  GError *error = NULL;
+
+  for (cmark_node *node = cmark_node_first_child (document);
+       node != NULL && !lesson_faults_is_full (reader->faults);
        node = cmark_node_next (node))
-    if (!read_node (reader, node, error))
-      return FALSE;
-  if (!check_whole (reader, error))
-    return FALSE;
+    if (!read_node (reader, node, &error))
+      lesson_faults_take (reader->faults, g_steal_pointer (&error));
+  if (!check_whole (reader, &error))
+    lesson_faults_take (reader->faults, g_steal_pointer (&error));
   end_text (reader);
-  return lesson_fill_states (reader->lesson, error);
 }
 
 static Lesson *
@@ -388,36 +438,63 @@ lesson_new (const LessonSource *source)
 
   lesson->reference_count = 1;
   lesson->path = g_strdup (source->name);
+  lesson->step_size = lesson->theme = -1;
   lesson->stops = g_ptr_array_new_with_free_func (stop_free);
   return lesson;
+}
+
+static void
+read_source (const LessonSource *source,
+             const char *folder,
+             Lesson *lesson,
+             LessonFaults *faults)
+{
+  cmark_node *document = cmark_parse_document (
+      source->text, strlen (source->text), CMARK_OPT_SOURCEPOS);
+  Reader reader = { .source = source,
+                    .folder = folder,
+                    .lesson = lesson,
+                    .prose = g_string_new (NULL),
+                    .note = g_string_new (NULL),
+                    .faults = faults };
+
+  read_document (&reader, document);
+  g_string_free (reader.prose, TRUE);
+  g_string_free (reader.note, TRUE);
+  cmark_node_free (document);
+}
+
+Lesson *
+lesson_parse_all (const char *text,
+                  gsize length,
+                  const char *path,
+                  LessonFaults *faults)
+{
+  g_autofree char *folder = g_path_get_dirname (path);
+  g_autoptr (LessonSource) source = NULL;
+  g_autoptr (Lesson) lesson = NULL;
+  GError *error = NULL;
+
+  source = lesson_source_new (text, length, path, &error);
+  if (source == NULL) {
+    lesson_faults_take (faults, error);
+    return NULL;
+  }
+  lesson = lesson_new (source);
+  read_source (source, folder, lesson, faults);
+  if (lesson->sites != NULL && lesson->stops->len > 0)
+    lesson_fill_states (lesson, faults);
+  return faults->errors->len == 0 ? g_steal_pointer (&lesson) : NULL;
 }
 
 Lesson *
 lesson_parse (const char *text, gsize length, const char *path, GError **error)
 {
-  g_autofree char *folder = g_path_get_dirname (path);
-  g_autoptr (LessonSource) source
-      = lesson_source_new (text, length, path, error);
-  g_autoptr (Lesson) lesson = NULL;
-  cmark_node *document;
-  gboolean is_read;
+  g_autoptr (LessonFaults) faults = lesson_faults_new ();
+  Lesson *lesson = lesson_parse_all (text, length, path, faults);
 
-  if (source == NULL)
-    return NULL;
-  lesson = lesson_new (source);
-  document = cmark_parse_document (source->text, strlen (source->text),
-                                   CMARK_OPT_SOURCEPOS);
-  {
-    Reader reader = { .source = source,
-                      .folder = folder,
-                      .lesson = lesson,
-                      .prose = g_string_new (NULL),
-                      .note = g_string_new (NULL) };
-
-    is_read = read_document (&reader, document, error);
-    g_string_free (reader.prose, TRUE);
-    g_string_free (reader.note, TRUE);
-  }
-  cmark_node_free (document);
-  return is_read ? g_steal_pointer (&lesson) : NULL;
+  if (lesson == NULL)
+    g_propagate_error (error,
+                       g_error_copy (g_ptr_array_index (faults->errors, 0)));
+  return lesson;
 }

@@ -272,3 +272,73 @@ lesson_source_bytes (const LessonSource *source, guint first, guint last)
 
   return (gsize)(end - start);
 }
+
+static guint
+column_of (const char *text, const char *at)
+{
+  return 1 + (guint)g_utf8_pointer_to_offset (text, at);
+}
+
+void
+lesson_line_init (LessonLine *line, const LessonSource *source, guint number)
+{
+  gsize length;
+  const char *start = lesson_source_line (source, number, &length);
+  const gsize blanks = MIN (strspn (start, " \t"), length);
+
+  line->line = number;
+  line->column = column_of (start, start + blanks);
+  line->text = g_strchomp (g_strndup (start + blanks, length - blanks));
+  if (line->text[0] == '#')
+    line->text[0] = '\0';
+}
+
+void
+lesson_line_clear (LessonLine *line)
+{
+  g_clear_pointer (&line->text, g_free);
+}
+
+gboolean
+lesson_line_blame (const LessonLine *line,
+                   const LessonSource *source,
+                   const char *at,
+                   const char *reason,
+                   GError **error)
+{
+  return lesson_source_blame (source, line->line,
+                              line->column + column_of (line->text, at) - 1,
+                              error, "%s", reason);
+}
+
+LessonFaults *
+lesson_faults_new (void)
+{
+  LessonFaults *faults = g_new0 (LessonFaults, 1);
+
+  faults->errors
+      = g_ptr_array_new_with_free_func ((GDestroyNotify)g_error_free);
+  return faults;
+}
+
+void
+lesson_faults_free (LessonFaults *faults)
+{
+  g_ptr_array_unref (faults->errors);
+  g_free (faults);
+}
+
+void
+lesson_faults_take (LessonFaults *faults, GError *error)
+{
+  if (lesson_faults_is_full (faults))
+    g_error_free (error);
+  else
+    g_ptr_array_add (faults->errors, error);
+}
+
+gboolean
+lesson_faults_is_full (const LessonFaults *faults)
+{
+  return faults->errors->len == LESSON_MAX_FAULTS;
+}

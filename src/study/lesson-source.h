@@ -44,6 +44,47 @@ gboolean lesson_source_blame (const LessonSource *source,
                               const char *format,
                               ...) G_GNUC_PRINTF (5, 6);
 
+/* One line of a block, without the blanks around it. */
+typedef struct LessonLine {
+  guint line, column; /* in the file, from 1 */
+  char *text;         /* "" for empty lines and those that begin with # */
+} LessonLine;
+
+/* Lines @first … @last of the file; last < first: none. */
+typedef struct LessonLines {
+  guint first, last;
+} LessonLines;
+
+void
+lesson_line_init (LessonLine *line, const LessonSource *source, guint number);
+void lesson_line_clear (LessonLine *line);
+
+/* Sets @error to FILE:LINE:COL: @reason, COL that of @at in the line's text.
+ *
+ * Returns: FALSE. */
+gboolean lesson_line_blame (const LessonLine *line,
+                            const LessonSource *source,
+                            const char *at,
+                            const char *reason,
+                            GError **error);
+
+/* All that is wrong with a lesson, in the order in which it was found. */
+#define LESSON_MAX_FAULTS 100
+
+typedef struct LessonFaults {
+  GPtrArray *errors; /* of GError */
+} LessonFaults;
+
+LessonFaults *lesson_faults_new (void);
+void lesson_faults_free (LessonFaults *faults);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (LessonFaults, lesson_faults_free)
+
+/* Takes @error. */
+void lesson_faults_take (LessonFaults *faults, GError *error);
+
+/* Returns: whether there are so many that the rest is not read. */
+gboolean lesson_faults_is_full (const LessonFaults *faults);
+
 /* Returns: (transfer full): @path for messages: UTF-8 without control
  *          characters. */
 char *display_path (const char *path);

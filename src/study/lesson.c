@@ -4,6 +4,41 @@
 
 G_DEFINE_QUARK (lesson - error - quark, lesson_error)
 
+static const char *const views_names[N_VIEWS] = {
+  [VIEWS_BOTH] = "both",
+  [VIEWS_PLANE] = "plane",
+  [VIEWS_SPACE] = "space",
+};
+
+const char *
+views_name (Views views)
+{
+  return views_names[views];
+}
+
+gboolean
+views_parse (const char *name, Views *views)
+{
+  for (Views i = 0; i < N_VIEWS; i++)
+    if (g_str_equal (name, views_names[i])) {
+      *views = i;
+      return TRUE;
+    }
+  return FALSE;
+}
+
+const char *
+level_name (Level level)
+{
+  static const char *const names[N_LEVELS] = {
+    [LEVEL_VIEWING] = "viewing",       [LEVEL_RESPONDING] = "responding",
+    [LEVEL_CHANGING] = "changing",     [LEVEL_CONSTRUCTING] = "constructing",
+    [LEVEL_PRESENTING] = "presenting",
+  };
+
+  return names[level];
+}
+
 Lesson *
 lesson_ref (Lesson *lesson)
 {
@@ -21,6 +56,7 @@ lesson_unref (Lesson *lesson)
   g_free (lesson->prose);
   g_free (lesson->note);
   g_free (lesson->sites);
+  g_free (lesson->site_file);
   g_ptr_array_unref (lesson->stops);
   g_clear_pointer (&lesson->start, stop_state_free);
   g_free (lesson);

@@ -7,7 +7,7 @@
 #ifndef LESSON_H
 #define LESSON_H
 
-#include "site.h"
+#include "question.h"
 
 #include <gio/gio.h>
 
@@ -21,6 +21,31 @@ G_BEGIN_DECLS
 #define LESSON_MAX_COMMANDS 100000
 #define LESSON_MAX_STOPS 1000
 #define LESSON_MAX_SITES 20000 /* of all the sets it makes, together */
+
+/* Which of the two pictures are shown. */
+typedef enum Views {
+  VIEWS_BOTH,
+  VIEWS_PLANE,
+  VIEWS_SPACE,
+} Views;
+
+#define N_VIEWS (VIEWS_SPACE + 1)
+
+const char *views_name (Views views); /* "both", "plane", "space" */
+gboolean views_parse (const char *name, Views *views);
+
+/* What students do in a lesson. Source: Naps et al. 2002. */
+typedef enum Level {
+  LEVEL_VIEWING,
+  LEVEL_RESPONDING,
+  LEVEL_CHANGING,
+  LEVEL_CONSTRUCTING,
+  LEVEL_PRESENTING,
+} Level;
+
+#define N_LEVELS (LEVEL_PRESENTING + 1)
+
+const char *level_name (Level level); /* "viewing" … */
 
 /* What a session is at a stop: sites, step, look. Opaque; see stop-state.h. */
 typedef struct StopState StopState;
@@ -42,6 +67,10 @@ typedef struct LessonStop {
   GPtrArray *commands; /* of LessonCommand */
   guint step;          /* where its commands lead */
   StopState *state;
+  Question *question;   /* NULL: none is asked */
+  guint n_setup;        /* commands that come before the question */
+  Occasion occasion;    /* of the question, in the run of ask_state */
+  StopState *ask_state; /* while the question is open; NULL: none */
 } LessonStop;
 
 typedef struct Lesson {
@@ -52,6 +81,12 @@ typedef struct Lesson {
   char *note;  /* lecturer's notes before the first stop, or NULL */
   Site *sites; /* at its start */
   guint n_sites;
+  char *site_file;  /* where they come from, or NULL: no file */
+  Views views;      /* to begin with */
+  int step_size;    /* a StepSize, to begin with; -1: as it is */
+  int theme;        /* a ThemeKind, to begin with; -1: as it is */
+  guint levels;     /* bits 1 << Level */
+  guint minutes;    /* that it takes; 0: not said */
   GPtrArray *stops; /* of LessonStop, at least one */
   StopState *start; /* before the first stop's commands */
 } Lesson;
@@ -70,6 +105,15 @@ typedef enum LessonError {
 Lesson *lesson_load (const char *path, GError **error);
 Lesson *
 lesson_parse (const char *text, gsize length, const char *path, GError **error);
+
+/* The same, but tells all that is wrong, not only the first of it.
+ *
+ * Returns: (transfer full): the lesson; NULL when there are faults. */
+Lesson *lesson_load_all (const char *path, LessonFaults *faults);
+Lesson *lesson_parse_all (const char *text,
+                          gsize length,
+                          const char *path,
+                          LessonFaults *faults);
 Lesson *lesson_ref (Lesson *lesson);
 void lesson_unref (Lesson *lesson);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (Lesson, lesson_unref)

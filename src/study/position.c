@@ -67,6 +67,21 @@ parse (const char *text, Position *position, GError **error)
 }
 
 gboolean
+position_read (const char *text,
+               Place *place,
+               gboolean *is_before,
+               GError **error)
+{
+  Position position;
+
+  if (!parse (text, &position, error))
+    return FALSE;
+  *place = position.place;
+  *is_before = position.is_before;
+  return TRUE;
+}
+
+gboolean
 position_check (const char *text, GError **error)
 {
   Position position;

@@ -22,6 +22,12 @@ gboolean position_find (const Trace *trace,
                         guint *step,
                         GError **error);
 
+/* Reads the words alone: @place, or what is just before it. */
+gboolean position_read (const char *text,
+                        Place *place,
+                        gboolean *is_before,
+                        GError **error);
+
 /* Checks the words alone. */
 gboolean position_check (const char *text, GError **error);
 

@@ -18,6 +18,8 @@ static const char *const names[N_QUANTITIES + 1] = {
   [QUANTITY_BOUNDARY_SITES] = "boundary-sites",
   [QUANTITY_VISIBLE] = "visible",
   [QUANTITY_DYING_TRIANGLES] = "dying-triangles",
+  [QUANTITY_VISIBLE_UPPER] = "visible-upper",
+  [QUANTITY_VISIBLE_VERTICAL] = "visible-vertical",
   [QUANTITY_HORIZON] = "horizon",
   [QUANTITY_CONE] = "cone",
   [QUANTITY_NEW_TRIANGLES] = "new-triangles",
@@ -47,6 +49,8 @@ static const char *const labels[N_QUANTITIES] = {
   [QUANTITY_BOUNDARY_SITES] = N_ ("sites on the boundary"),
   [QUANTITY_VISIBLE] = N_ ("visible facets"),
   [QUANTITY_DYING_TRIANGLES] = N_ ("triangles that die"),
+  [QUANTITY_VISIBLE_UPPER] = N_ ("visible upper facets"),
+  [QUANTITY_VISIBLE_VERTICAL] = N_ ("visible vertical facets"),
   [QUANTITY_HORIZON] = N_ ("ridges of the horizon"),
   [QUANTITY_CONE] = N_ ("facets of the cone"),
   [QUANTITY_NEW_TRIANGLES] = N_ ("triangles that are born"),
@@ -109,7 +113,7 @@ count_lines (const Frame *frame)
 /* Of the round in hand so far; as the other counts of a round they stay until
  * the next begins. */
 static guint
-count_lower_events (const Frame *frame, EventKind kind)
+count_events (const Frame *frame, EventKind kind, Facing facing)
 {
   const Trace *trace = frame->trace;
   guint n = 0;
@@ -118,7 +122,7 @@ count_lower_events (const Frame *frame, EventKind kind)
     return 0;
   for (guint i = trace->rounds[frame->round].select - 1; i < frame->step; i++)
     n += trace->events[i].kind == kind
-         && trace->facets[trace->events[i].facet].facing == FACING_LOWER;
+         && trace->facets[trace->events[i].facet].facing == facing;
   return n;
 }
 
@@ -132,21 +136,38 @@ count_free_edges (const Frame *frame)
   return n;
 }
 
-/* Those that have to be counted, not looked up. */
-static guint
-count (const Frame *frame, Quantity quantity)
+/* Counts what no frame has counted.
+ *
+ * Returns: FALSE when the frame has. */
+static gboolean
+count (const Frame *frame, Quantity quantity, guint *n)
 {
-  if (quantity == QUANTITY_DYING_TRIANGLES)
-    return count_lower_events (frame, EVENT_VISIBLE);
-  if (quantity == QUANTITY_NEW_TRIANGLES)
-    return count_lower_events (frame, EVENT_CONE);
-  return count_free_edges (frame);
+  switch ((int)quantity) {
+  case QUANTITY_DYING_TRIANGLES:
+    *n = count_events (frame, EVENT_VISIBLE, FACING_LOWER);
+    return TRUE;
+  case QUANTITY_VISIBLE_UPPER:
+    *n = count_events (frame, EVENT_VISIBLE, FACING_UPPER);
+    return TRUE;
+  case QUANTITY_VISIBLE_VERTICAL:
+    *n = count_events (frame, EVENT_VISIBLE, FACING_VERTICAL);
+    return TRUE;
+  case QUANTITY_NEW_TRIANGLES:
+    *n = count_events (frame, EVENT_CONE, FACING_LOWER);
+    return TRUE;
+  case QUANTITY_FREE_EDGES:
+    *n = count_free_edges (frame);
+    return TRUE;
+  default:
+    return FALSE;
+  }
 }
 
 guint
 quantity_value (const Frame *frame, Quantity quantity)
 {
   const FrameCounts *counts = &frame->counts;
+  guint n;
   const guint looked_up[N_QUANTITIES] = {
     [QUANTITY_SITES] = frame->n_sites,
     [QUANTITY_DUPLICATES] = frame->n_sites - frame->trace->set->n_distinct,
@@ -174,8 +195,5 @@ quantity_value (const Frame *frame, Quantity quantity)
     [QUANTITY_VORONOI_LINES] = count_lines (frame),
   };
 
-  if (quantity == QUANTITY_DYING_TRIANGLES || quantity == QUANTITY_NEW_TRIANGLES
-      || quantity == QUANTITY_FREE_EDGES)
-    return count (frame, quantity);
-  return looked_up[quantity];
+  return count (frame, quantity, &n) ? n : looked_up[quantity];
 }

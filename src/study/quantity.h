@@ -25,6 +25,8 @@ typedef enum Quantity {
   QUANTITY_BOUNDARY_SITES, /* all sites on its boundary */
   QUANTITY_VISIBLE,        /* of the round in hand, as far as found: */
   QUANTITY_DYING_TRIANGLES,
+  QUANTITY_VISIBLE_UPPER,
+  QUANTITY_VISIBLE_VERTICAL,
   QUANTITY_HORIZON,
   QUANTITY_CONE,
   QUANTITY_NEW_TRIANGLES,

@@ -1,5 +1,3 @@
-#include "action.h"
-#include "expect.h"
 #include "session-private.h"
 
 #include <glib/gi18n.h>
@@ -57,8 +55,10 @@ put_look (Session *session, const StopState *from, const StopState *state)
     session_tell_theme (session, state->told_theme);
 }
 
-static void
-put_state (Session *session, const StopState *from, const StopState *state)
+void
+session_put_state (Session *session,
+                   const StopState *from,
+                   const StopState *state)
 {
   session_hold (session);
   session_end_edit (session);
@@ -106,7 +106,7 @@ enter_state (Session *session,
   const gboolean is_persons
       = before->set->n_sites > 0 && !is_run_of_lesson (session);
 
-  put_state (session, from, state);
+  session_put_state (session, from, state);
   if (is_persons)
     session_remember (session, before, g_strdup (edit));
   run_unref (before);
@@ -222,123 +222,4 @@ session_follow_step (Session *session, guint old_step)
             state_of (session, stop));
   session->stop = stop;
   session_tell (session, CHANGED_LESSON);
-}
-
-/* Names the place of a command in front of what went wrong. */
-static void
-blame_command (Session *session,
-               const LessonCommand *command,
-               GError *reason,
-               GError **error)
-{
-  g_set_error (error, LESSON_ERROR, LESSON_ERROR_BROKEN, "%s:%u:%u: %s",
-               session->lesson->path, command->line, command->column,
-               reason->message);
-  g_error_free (reason);
-}
-
-static gboolean
-play_command (Session *session,
-              const LessonCommand *command,
-              SessionExpect on_expect,
-              gpointer user,
-              GError **error)
-{
-  GError *reason = NULL;
-  g_autofree char *actual = NULL;
-  gboolean holds;
-
-  if (!g_str_equal (command->verb, "expect")) {
-    if (action_run (session, command->verb, command->parameter, &reason))
-      return TRUE;
-    blame_command (session, command, reason, error);
-    return FALSE;
-  }
-  if (on_expect != NULL) {
-    holds = expect_check (
-        session, g_variant_get_string (command->parameter, NULL), &actual);
-    on_expect (command, holds, actual, user);
-  }
-  return TRUE;
-}
-
-/* Every set that a lesson makes counts, so that none can run for long. */
-static gboolean
-has_few_sites (Session *session, const LessonCommand *command, GError **error)
-{
-  GError *reason;
-
-  if (state_of (session, session->stop) != NULL
-      || session->n_sites_made <= LESSON_MAX_SITES)
-    return TRUE;
-  reason = g_error_new (LESSON_ERROR, LESSON_ERROR_BROKEN,
-                        _ ("the sets of this lesson have more than %d sites "
-                           "together"),
-                        LESSON_MAX_SITES);
-  blame_command (session, command, reason, error);
-  return FALSE;
-}
-
-static gboolean
-play_commands (Session *session,
-               const LessonStop *stop,
-               SessionExpect on_expect,
-               gpointer user,
-               GError **error)
-{
-  for (guint i = 0; i < stop->commands->len; i++) {
-    const LessonCommand *command = g_ptr_array_index (stop->commands, i);
-
-    if (!play_command (session, command, on_expect, user, error)
-        || !has_few_sites (session, command, error))
-      return FALSE;
-  }
-  return TRUE;
-}
-
-gboolean
-session_play_stop (Session *session,
-                   guint stop,
-                   SessionExpect on_expect,
-                   gpointer user,
-                   GError **error)
-{
-  gboolean is_played;
-
-  g_return_val_if_fail (stop < session_get_n_stops (session), FALSE);
-  session_hold (session);
-  session->is_replaying = TRUE;
-  put_state (session, NULL,
-             stop == 0 ? session->lesson->start : state_of (session, stop - 1));
-  session->stop = stop;
-  is_played = play_commands (session, lesson_stop (session->lesson, stop),
-                             on_expect, user, error);
-  session->is_replaying = FALSE;
-  session_tell (session, CHANGED_LESSON);
-  session_release (session);
-  return is_played;
-}
-
-gboolean
-lesson_fill_states (Lesson *lesson, GError **error)
-{
-  g_autoptr (Session) session = session_new ();
-
-  /* Scaling fails only beyond the range, which the reader has checked. */
-  if (!session_set_sites (session, lesson->sites, lesson->n_sites, error))
-    return FALSE;
-  session_put_step (session, 0);
-  lesson->start = session_get_state (session);
-  session->lesson = lesson_ref (lesson);
-  session->n_sites_made = lesson->n_sites;
-
-  for (guint i = 0; i < lesson->stops->len; i++) {
-    LessonStop *stop = g_ptr_array_index (lesson->stops, i);
-
-    if (!session_play_stop (session, i, NULL, NULL, error))
-      return FALSE;
-    stop->state = session_get_state (session);
-    stop->step = stop->state->step;
-  }
-  return TRUE;
 }

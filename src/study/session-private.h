@@ -71,6 +71,12 @@ void session_follow_step (Session *session, guint old_step);
 /* Takes the state as it is; free with stop_state_free(). */
 StopState *session_get_state (Session *session);
 
+/* Puts the state of a stop in place; a camera that a person has turned since
+ * @from is kept unless the lesson turns it on the way. */
+void session_put_state (Session *session,
+                        const StopState *from,
+                        const StopState *state);
+
 /* Remembers that a lesson's own sites took the place of others. */
 void session_remember (Session *session, const Run *before, char *edit);
 

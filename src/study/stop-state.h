@@ -21,11 +21,10 @@ StopState *stop_state_copy (const StopState *state);
 void stop_state_free (StopState *state);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (StopState, stop_state_free)
 
-/* Plays @lesson once in a session of its own, and fills the states and steps
- * of its stops.
- *
- * Errors: LESSON_ERROR_BROKEN: a command cannot be carried out. */
-gboolean lesson_fill_states (Lesson *lesson, GError **error);
+/* Plays @lesson once in a session of its own, fills the states and steps of
+ * its stops, and finds the places of its questions. A command that cannot be
+ * carried out, and a question that cannot be asked, is told to @faults. */
+void lesson_fill_states (Lesson *lesson, LessonFaults *faults);
 
 G_END_DECLS
 
