@@ -81,6 +81,7 @@ horizon_collect (HullBuilder *b, uint32_t apex)
 {
   const HullEdge first = first_on_horizon (b);
   HullEdge edge = first;
+  uint32_t n_turns = 0;
 
   /* One loop round a disc of triangles whose vertices all stay: n + 2. */
   if (b->n_visible + 2 > b->horizon_room)
@@ -99,6 +100,9 @@ horizon_collect (HullBuilder *b, uint32_t apex)
     edge = hull_next_edge (edge);
     beyond = b->facets[edge >> 2].across[edge & 3];
     while (is_visible (b, beyond >> 2)) {
+      /* Each side of a visible facet is passed once. */
+      assert (n_turns < 3 * b->n_visible && "the horizon is one loop");
+      n_turns++;
       edge = hull_next_edge (beyond);
       beyond = b->facets[edge >> 2].across[edge & 3];
     }

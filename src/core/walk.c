@@ -37,10 +37,15 @@ static uint32_t
 start (const HullBuilder *b)
 {
   uint32_t facet = b->near;
+  uint32_t n_turns;
 
-  while (!is_lower (b, facet))
+  for (n_turns = 0; n_turns <= b->n_facets; n_turns++) {
+    if (is_lower (b, facet))
+      return facet;
     facet = b->facets[facet].across[1] >> 2;
-  return facet;
+  }
+  assert (false && "a lower facet lies round every site");
+  return INDEX_NONE;
 }
 
 static bool
