@@ -125,28 +125,43 @@ test_orient_tells_one_ulp_from_a_line (void)
   }
 }
 
-static void
-test_lift_orient_tells_one_ulp_from_a_circle (void)
-{
-  const Site plane[3] = { { 17, 0 }, { 8, 15 }, { -15, 8 } };
+/* HULL2VD_SOAK multiplies the number of tuples: a million with ./dev soak. */
+enum { N_TUPLES = 20000 };
 
-  for (int i = 0; i < 64; i += 1) {
-    for (int j = 0; j < 64; j += 1) {
-      const Site d = { ulps (7.999999999999986, i), ulps (-15, j) };
-
-      assert_lift_orient (plane, &d);
-    }
-  }
-}
-
-/* HULL2VD_SOAK multiplies the number of tuples. */
 static int
 n_tuples (void)
 {
   const char *factor = g_getenv ("HULL2VD_SOAK");
   const gint64 n = factor != NULL ? g_ascii_strtoll (factor, NULL, 10) : 1;
 
-  return 20000 * (int)CLAMP (n, 1, 1000);
+  return N_TUPLES * (int)CLAMP (n, 1, 1000);
+}
+
+/* Every site of a grid of 256 by 256 ulps around the fourth corner of three
+ * on a circle or line; without HULL2VD_SOAK every fourth row and column. */
+static void
+test_lift_orient_tells_one_ulp_from_a_circle (void)
+{
+  static const struct {
+    Site plane[3], fourth;
+  } grids[] = {
+    { { { 17, 0 }, { 8, 15 }, { -15, 8 } }, { 8, -15 } },
+    { { { 0.1, 0.7 }, { 0.7, 0.1 }, { -0.5, -0.5 } }, { -0.1, 0.7 } },
+    { { { 12, 12 }, { 24, 24 }, { 0.5, 0.5 } }, { 17.3, 17.3 } },
+  };
+  const int stride = n_tuples () >= N_TUPLES * 50 ? 1 : 4;
+
+  for (guint g = 0; g < G_N_ELEMENTS (grids); g += 1) {
+    const double x = grids[g].fourth.x, y = grids[g].fourth.y;
+
+    for (int i = -128; i < 128; i += stride)
+      for (int j = -128; j < 128; j += stride) {
+        const Site d = { x + i * (nextafter (x, 100) - x),
+                         y + j * (nextafter (y, 100) - y) };
+
+        assert_lift_orient (grids[g].plane, &d);
+      }
+  }
 }
 
 static double
