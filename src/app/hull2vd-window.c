@@ -284,6 +284,7 @@ hull2vd_window_init (Hull2vdWindow *window)
   window->settings = settings_new ();
   connect_session (window);
   window_layout_init (window);
+  window_theme_init (window);
   window_actions_init (window);
   window_menus_init (window);
   window_files_init (window);

@@ -2,8 +2,8 @@
 
 #include <glib/gi18n.h>
 
-#define SWATCH_WIDTH 28
-#define SWATCH_HEIGHT 16
+#define SWATCH_WIDTH 30
+#define SWATCH_HEIGHT 18
 
 struct _LegendPanel {
   GtkBox parent_instance;

@@ -52,6 +52,24 @@ static const MenuRow view_rows[] = {
   { NULL, NULL },
 };
 
+static const MenuRow theme_rows[] = {
+  { N_ ("_Light"), "theme::light" },
+  { N_ ("_Paper of 2004"), "theme::paper" },
+  { N_ ("P_rojector"), "theme::projector" },
+  { N_ ("_Dark"), "theme::dark" },
+  { N_ ("Pri_nt"), "theme::print" },
+  { N_ ("High _Contrast"), "theme::contrast" },
+  { NULL, NULL },
+};
+
+/* Scales that can be told apart; D-Bus takes any. */
+static const MenuRow scale_rows[] = {
+  { N_ ("Half"), "0.5" },   { N_ ("Three Quarters"), "0.75" },
+  { N_ ("Normal"), "1.0" }, { N_ ("One and a Half"), "1.5" },
+  { N_ ("Double"), "2.0" }, { N_ ("Triple"), "3.0" },
+  { NULL, NULL },
+};
+
 static GMenuModel *
 make_menu (const MenuRow *rows)
 {
@@ -71,6 +89,37 @@ make_menu (const MenuRow *rows)
   }
   g_menu_append_section (menu, NULL, G_MENU_MODEL (section));
   return G_MENU_MODEL (menu);
+}
+
+static GMenuModel *
+make_scale_menu (const char *name)
+{
+  GMenu *menu = g_menu_new ();
+
+  for (const MenuRow *row = scale_rows; row->action != NULL; row++) {
+    g_autofree char *action = g_strdup_printf ("win.%s(%s)", name, row->action);
+
+    g_menu_append (menu, _ (row->text), action);
+  }
+  return G_MENU_MODEL (menu);
+}
+
+static void
+append_looks (GMenu *menu)
+{
+  static const MenuRow scales[] = { { N_ ("Weight of L_ines"), "line-scale" },
+                                    { N_ ("Size of Mar_ks"), "mark-scale" },
+                                    { N_ ("Si_ze of Names"), "text-scale" } };
+  g_autoptr (GMenu) section = g_menu_new ();
+  g_autoptr (GMenuModel) themes = make_menu (theme_rows);
+
+  g_menu_append_submenu (section, _ ("The_me"), themes);
+  for (guint i = 0; i < G_N_ELEMENTS (scales); i++) {
+    g_autoptr (GMenuModel) submenu = make_scale_menu (scales[i].action);
+
+    g_menu_append_submenu (section, _ (scales[i].text), submenu);
+  }
+  g_menu_append_section (menu, NULL, G_MENU_MODEL (section));
 }
 
 /* Lessons are read when the menu is wanted for the first time. */
@@ -118,6 +167,7 @@ window_menus_init (Hull2vdWindow *window)
   g_autoptr (GMenuModel) view_menu = make_menu (view_rows);
   g_autoptr (GMenu) lessons = g_menu_new ();
 
+  append_looks (G_MENU (view_menu));
   gtk_menu_button_set_menu_model (window->main_button, main_menu);
   gtk_menu_button_set_menu_model (window->view_button, view_menu);
   gtk_menu_button_set_menu_model (window->lessons_button,

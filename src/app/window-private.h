@@ -87,6 +87,9 @@ gboolean window_files_load (Hull2vdWindow *window, const char *path);
 /* Whether there is work in the window that is in no file. */
 gboolean window_files_is_modified (Hull2vdWindow *window);
 
+/* window-theme.c: the theme of pictures and chrome. */
+void window_theme_init (Hull2vdWindow *window);
+
 /* window-menus.c */
 void window_menus_init (Hull2vdWindow *window);
 

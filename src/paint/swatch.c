@@ -60,15 +60,47 @@ trace_sample (cairo_t *cr, Sample sample, const double size[2])
   cairo_line_to (cr, size[0] - 2, size[1] / 2);
 }
 
+static void
+scale (Style *style, double factor)
+{
+  style->width *= factor;
+  style->casing *= factor;
+  style->dash *= factor;
+  style->gap *= factor;
+  style->radius *= factor;
+  style->ring_gap *= factor;
+}
+
+/* Heavy looks are made smaller until a mark is whole, a line leaves ground
+ * beside it, and dashes are seen to be some. */
+static void
+fit (Style *style, Sample sample, const double size[2])
+{
+  const double height = MIN (size[0], size[1]);
+  const double length
+      = sample == SAMPLE_CIRCLE ? G_PI * (height - 3) : size[0] - 4;
+  const double period = style->dash + style->gap;
+
+  if (sample == SAMPLE_MARK && brush_mark_reach (style) > 0)
+    scale (style, MIN (1, height / 2 / brush_mark_reach (style)));
+  if (sample == SAMPLE_MARK || sample == SAMPLE_AREA)
+    return;
+  if (style->width > 0)
+    scale (style, MIN (1, height / 2.6 / style->width));
+  if (style->dash > 0)
+    scale (style, MIN (1, length / 3 / period));
+}
+
 void
 painter_swatch (
     cairo_t *cr, Role role, const Theme *theme, double width, double height)
 {
   const SceneItem item = { .role = role, .emphasis = EMPHASIS_NORMAL };
-  const Style style = theme_style (theme, &item);
+  Style style = theme_style (theme, &item);
   const double size[2] = { width, height };
   const Sample sample = sample_of (role);
 
+  fit (&style, sample, size);
   cairo_save (cr);
   cairo_new_path (cr);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);

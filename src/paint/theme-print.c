@@ -44,7 +44,9 @@ theme_print (Theme *theme)
   hatch (theme, ROLE_UPPER, HATCH_LEVEL, 0x808080);
   hatch (theme, ROLE_CONE, HATCH_UPRIGHT, 0x505050);
   hatch (theme, ROLE_CONE_UPPER, HATCH_GRID, 0x505050);
-  dash (theme, ROLE_SELECTED_FACET, 14, 5);
+  theme->styles[ROLE_SELECTED_FACET].line = theme_colour (0x808080, 1);
+  theme->styles[ROLE_SELECTED_FACET].width = 6;
+  theme->styles[ROLE_SELECTED_FACET].casing = 8.5;
   dash (theme, ROLE_VISIBLE_EDGE, 10, 4);
   dash (theme, ROLE_CIRCLE_SELECTED, 18, 3);
 }
