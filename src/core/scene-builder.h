@@ -2,6 +2,7 @@
 #ifndef SCENE_BUILDER_H
 #define SCENE_BUILDER_H
 
+#include "preview.h"
 #include "scene.h"
 
 typedef struct SceneBuilder {
@@ -91,6 +92,14 @@ bool scene_diagram_edge (const SceneDiagram *diagram,
                          uint32_t site[2],
                          Point3 ends[2]);
 
+/* Returns: the scene point of one in the diagram's own units. */
+Point3 scene_diagram_point (const SceneDiagram *diagram, Site at);
+
+/* What a site at @at, in units of SiteSet.sites, would change; free with
+ * preview_clear(). Cell and pieces are in the diagram's own units. */
+void
+scene_diagram_preview (const SceneDiagram *diagram, Site at, Preview *preview);
+
 void scene_add_cells (SceneDiagram *diagram);
 void scene_add_voronoi_edges (SceneDiagram *diagram);
 void scene_add_voronoi_vertices (SceneDiagram *diagram);
@@ -100,6 +109,10 @@ void scene_add_tangents (SceneBuilder *builder, const SceneDiagram *diagram);
  * others are. */
 void scene_add_furthest_cells (SceneBuilder *builder, const Point3 box[2]);
 void scene_add_furthest (SceneBuilder *builder, const Point3 box[2]);
+
+/* What a site under the pointer would change; in space its lift as well. */
+void scene_add_preview (SceneDiagram *diagram, SceneBuilder *builder);
+void scene_add_preview_lift (SceneBuilder *builder);
 
 /* The layer that tells why: plane and ellipse in space, the circle in the
  * plane, the gap in both. */

@@ -70,6 +70,7 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_horizon (&builder, false);
   scene_add_lit_facets (&builder, false);
   scene_add_why (&builder, false);
+  scene_add_preview (diagram, &builder);
   builder.pass = PASS_MARKS;
   scene_add_voronoi_vertices (diagram);
   add_sites (&builder);

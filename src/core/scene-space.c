@@ -71,6 +71,7 @@ add_plane (SceneBuilder *builder)
   scene_add_cone_edges (builder, false);
   scene_add_horizon (builder, false);
   scene_add_lit_facets (builder, false);
+  scene_add_preview (diagram, builder);
   scene_add_voronoi_vertices (diagram);
   add_feet (builder);
   builder->pass = PASS_OUTER;
@@ -390,6 +391,7 @@ scene_space (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_horizon (&builder, true);
   scene_add_lit_facets (&builder, true);
   scene_add_why (&builder, true);
+  scene_add_preview_lift (&builder);
   builder.pass = PASS_MARKS;
   add_marks (&builder);
   scene_add_facet_names (&builder, true);

@@ -117,6 +117,23 @@ to_scene (const SceneDiagram *diagram, Site at)
   return scene_point (diagram->builder->look, &at, false);
 }
 
+Point3
+scene_diagram_point (const SceneDiagram *diagram, Site at)
+{
+  return to_scene (diagram, at);
+}
+
+void
+scene_diagram_preview (const SceneDiagram *diagram, Site at, Preview *preview)
+{
+  const SceneBuilder *builder = diagram->builder;
+  const Point3 point = scene_point (builder->look, &at, false);
+
+  preview_init (preview, builder->frame->trace->set, at, diagram->voronoi,
+                diagram->is_rescaled ? (Site){ point.x, point.y } : at,
+                &diagram->box);
+}
+
 static void
 add_cell (SceneDiagram *diagram, uint32_t site)
 {
