@@ -20,6 +20,7 @@ mkdir -m 700 "$folder/run"
 unset WAYLAND_DISPLAY DBUS_SESSION_BUS_ADDRESS AT_SPI_BUS_ADDRESS GTK_THEME
 export LC_ALL=C.UTF-8 GSETTINGS_BACKEND=memory
 export GDK_BACKEND=x11 GDK_SCALE=1 LIBGL_ALWAYS_SOFTWARE=1
+export HULL2VD_ANIMATIONS=${HULL2VD_ANIMATIONS:-0} # pictures stand still
 export GTK_USE_PORTAL=0 NO_AT_BRIDGE=0 GIO_USE_VFS=local
 
 # The accessibility bus is started quietly: what is printed is the test's.

@@ -71,7 +71,8 @@ test_follow (void)
       camera_init (&space, presets[k]);
       camera_follow_plane (&space, &plane);
       on_space = camera_projection (&space, w, h);
-      g_assert_true (camera_is_mirrored (&space) == is_mirrored);
+      g_assert_true (camera_is_from_below (&space)
+                     == (presets[k] != CAMERA_LOOK_DOWN));
       for (x = -10; x <= 10; x++)
         for (y = -10; y <= 10; y++) {
           const Point3 site = { x / 10.0, y / 10.0, 0 };

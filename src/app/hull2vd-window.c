@@ -2,6 +2,7 @@
 
 #include "lesson-list.h"
 #include "settings.h"
+#include "space-note.h"
 #include "tooltips.h"
 #include "window-private.h"
 
@@ -192,6 +193,9 @@ connect_session (Hull2vdWindow *window)
   legend_panel_set_views (window->legend_panel,
                           HULL2VD_CANVAS (window->plane_view),
                           HULL2VD_CANVAS (window->space_view));
+  space_note_attach (
+      GTK_OVERLAY (gtk_widget_get_parent (GTK_WIDGET (window->space_view))),
+      session);
   narration_bar_set_session (window->narration_bar, session);
   transport_set_session (window->transport, session);
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), window,

@@ -85,10 +85,19 @@ get_background (NarrationBar *bar)
   return (Colour){ base.red, base.green, base.blue, 1 };
 }
 
+/* The answer to what a person asks, else what has just happened. */
+static char *
+get_sentence (NarrationBar *bar)
+{
+  char *answer = session_explain (bar->session);
+
+  return answer != NULL ? answer : session_narrate (bar->session);
+}
+
 static void
 update (NarrationBar *bar)
 {
-  g_autofree char *sentence = session_narrate (bar->session);
+  g_autofree char *sentence = get_sentence (bar);
   g_autofree char *markup
       = narration_to_markup (sentence, session_get_frame (bar->session),
                              get_theme (bar), get_background (bar));
@@ -103,7 +112,8 @@ static void
 on_changed (Session *session, guint changes, NarrationBar *bar)
 {
   (void)session;
-  if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_APPEARANCE))
+  if (changes
+      & (CHANGED_SITES | CHANGED_STEP | CHANGED_APPEARANCE | CHANGED_LOOK))
     update (bar);
 }
 

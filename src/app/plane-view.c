@@ -2,6 +2,7 @@
 
 #include "canvas-input.h"
 #include "site-edit.h"
+#include "site-preview.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -270,5 +271,5 @@ plane_view_class_init (PlaneViewClass *class)
 static void
 plane_view_init (PlaneView *view)
 {
-  (void)view;
+  site_preview_attach (HULL2VD_CANVAS (view));
 }

@@ -1,5 +1,6 @@
 #include "space-view.h"
 
+#include "camera-glide.h"
 #include "canvas-input.h"
 #include "site-edit.h"
 
@@ -11,6 +12,7 @@
 
 struct _SpaceView {
   Canvas parent_instance;
+  CameraGlide *glide;
 };
 
 G_DEFINE_TYPE (SpaceView, space_view, CANVAS_TYPE)
@@ -20,9 +22,8 @@ G_DEFINE_TYPE (SpaceView, space_view, CANVAS_TYPE)
 static Projection
 space_view_project (Canvas *canvas, double width, double height)
 {
-  const Camera *camera = session_get_camera (canvas_get_session (canvas));
-
-  return camera_projection (camera, width, height);
+  return camera_glide_projection (HULL2VD_SPACE_VIEW (canvas)->glide, width,
+                                  height);
 }
 
 static void
@@ -40,6 +41,14 @@ get_size (Canvas *canvas, double size_px[2])
   size_px[1] = gtk_widget_get_allocated_height (GTK_WIDGET (canvas));
 }
 
+/* What the pointer does is followed at once. */
+static void
+put_camera (Canvas *canvas, const Camera *camera)
+{
+  camera_glide_follow (HULL2VD_SPACE_VIEW (canvas)->glide);
+  session_set_camera (canvas_get_session (canvas), camera);
+}
+
 static void
 space_view_zoom (Canvas *canvas, const double at_px[2], double factor)
 {
@@ -50,7 +59,7 @@ space_view_zoom (Canvas *canvas, const double at_px[2], double factor)
   get_size (canvas, size_px);
   factor = CLAMP (camera.zoom * factor, ZOOM_LEAST, ZOOM_MOST) / camera.zoom;
   camera_zoom (&camera, factor, at_px, size_px);
-  session_set_camera (session, &camera);
+  put_camera (canvas, &camera);
 }
 
 static void
@@ -62,7 +71,7 @@ space_view_pan (Canvas *canvas, const double by_px[2])
 
   get_size (canvas, size_px);
   camera_pan (&camera, by_px, size_px);
-  session_set_camera (session, &camera);
+  put_camera (canvas, &camera);
 }
 
 static void
@@ -74,7 +83,7 @@ turn (Canvas *canvas, const double from_px[2], const double to_px[2])
 
   get_size (canvas, size_px);
   camera_roll (&camera, from_px, to_px, size_px);
-  session_set_camera (session, &camera);
+  put_camera (canvas, &camera);
 }
 
 /* Pointer */
@@ -177,10 +186,18 @@ space_view_get_object (Canvas *canvas, guint index)
 /* Life */
 
 static void
+space_view_finalize (GObject *object)
+{
+  camera_glide_free (HULL2VD_SPACE_VIEW (object)->glide);
+  G_OBJECT_CLASS (space_view_parent_class)->finalize (object);
+}
+
+static void
 space_view_class_init (SpaceViewClass *class)
 {
   CanvasClass *canvas_class = HULL2VD_CANVAS_CLASS (class);
 
+  G_OBJECT_CLASS (class)->finalize = space_view_finalize;
   canvas_class->title = N_ ("Space");
   canvas_class->is_space = TRUE;
   canvas_class->build_scene = space_view_build_scene;
@@ -202,5 +219,5 @@ space_view_class_init (SpaceViewClass *class)
 static void
 space_view_init (SpaceView *view)
 {
-  (void)view;
+  view->glide = camera_glide_new (HULL2VD_CANVAS (view));
 }

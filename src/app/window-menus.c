@@ -2,6 +2,7 @@
 
 #include "action.h"
 #include "lesson-list.h"
+#include "look-popover.h"
 
 #include <glib/gi18n.h>
 
@@ -47,6 +48,7 @@ static const MenuRow view_rows[] = {
   { N_ ("Le_gend"), "panel-legend" },
   { N_ ("N_arration"), "panel-narration" },
   { NULL, "" },
+  { N_ ("Look _Up, Unmirrored"), "camera-look-up-unmirrored" },
   { N_ ("_Fit Both Pictures"), "fit" },
   { N_ ("Full _Screen"), "fullscreen" },
   { NULL, NULL },
@@ -178,4 +180,6 @@ window_menus_init (Hull2vdWindow *window)
                          (GClosureNotify)(void (*) (void))g_object_unref, 0);
   for (CameraPreset preset = 0; preset <= CAMERA_SIDE; preset++)
     add_preset (window, camera_preset_name (preset));
+  gtk_container_add (GTK_CONTAINER (window->space_bar),
+                     look_popover_button_new (window->session));
 }

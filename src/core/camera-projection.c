@@ -198,12 +198,12 @@ camera_projection_between (const Camera *from,
 }
 
 bool
-camera_is_mirrored (const Camera *camera)
+camera_is_from_below (const Camera *camera)
 {
   Point3 axis[3];
 
   rotation_rows (camera->turn, axis);
-  return axis[2].z < 0 && !camera->is_mirrored;
+  return axis[2].z < 0;
 }
 
 Projection

@@ -97,6 +97,18 @@ camera_stand (Camera *camera, double azimuth, double elevation)
   camera->turn = turn_of (azimuth * degree, elevation * degree);
 }
 
+bool
+camera_equal (const Camera *a, const Camera *b)
+{
+  return a->turn.w == b->turn.w && a->turn.x == b->turn.x
+         && a->turn.y == b->turn.y && a->turn.z == b->turn.z
+         && a->centre.x == b->centre.x && a->centre.y == b->centre.y
+         && a->centre.z == b->centre.z && a->zoom == b->zoom
+         && a->pan_x == b->pan_x && a->pan_y == b->pan_y
+         && a->is_parallel == b->is_parallel
+         && a->is_mirrored == b->is_mirrored;
+}
+
 void
 camera_follow_plane (Camera *camera, const PlaneCamera *plane)
 {

@@ -67,14 +67,16 @@ bool camera_preset_parse (const char *name, CameraPreset *preset);
 
 void camera_init (Camera *camera, CameraPreset preset);
 
+bool camera_equal (const Camera *a, const Camera *b);
+
 /* Gives a parallel camera that looks along z the scale and the place of the
  * plane view: at equal sizes what lies over the plane falls on the same pixel,
  * or on the one that it is mirrored to. */
 void camera_follow_plane (Camera *camera, const PlaneCamera *plane);
 
-/* Returns: whether the picture shows the plane mirrored: seen from below and
- *          not mirrored again. */
-bool camera_is_mirrored (const Camera *camera);
+/* Returns: whether the eye stands below the plane: what it sees there is
+ *          mirrored, unless the camera mirrors it again. */
+bool camera_is_from_below (const Camera *camera);
 
 void plane_camera_init (PlaneCamera *camera);
 

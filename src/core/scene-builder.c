@@ -357,6 +357,9 @@ scene_lit (const SceneBuilder *builder, Object object)
 {
   if (is_counterpart (builder, object, builder->look->selection))
     return LIT_SELECTED;
+  /* A preview has taken the place of what a cell would light. */
+  if (builder->look->has_preview && object.kind == OBJECT_SITE)
+    return LIT_NONE;
   if (is_counterpart (builder, object, builder->look->hover))
     return LIT_HOVER;
   return LIT_NONE;

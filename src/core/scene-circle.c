@@ -162,11 +162,12 @@ scene_add_contours (SceneBuilder *builder, const Point3 box[2])
 static bool
 circle_role (const SceneBuilder *builder, uint32_t group, Role *role)
 {
-  const Object vertex = scene_vertex_object (builder, group);
+  const Lit lit = scene_lit (builder, scene_vertex_object (builder, group));
 
   if (builder->frame->is_dying[group])
     *role = ROLE_CIRCLE_VISIBLE;
-  else if (scene_lit (builder, vertex) != LIT_NONE)
+  else if (lit == LIT_SELECTED
+           || (lit == LIT_HOVER && !builder->look->has_preview))
     *role = ROLE_CIRCLE_SELECTED;
   else
     *role = ROLE_CIRCLE;

@@ -100,8 +100,14 @@ scene_add_triangles (SceneBuilder *builder)
     const uint32_t facet = delaunay->triangles[i].facet;
     const Role role = triangle_role (builder, facet);
 
-    if (has_layer || role != ROLE_TRIANGLE)
-      scene_add_polygon (builder, role, facet, false);
+    SceneItem *item;
+
+    if (!has_layer && role == ROLE_TRIANGLE)
+      continue;
+    item = scene_add_polygon (builder, role, facet, false);
+    /* Its outline is enough where a preview lies over it. */
+    if (item->lit == LIT_HOVER && builder->look->has_preview)
+      item->lit = LIT_NONE;
   }
 }
 

@@ -22,18 +22,6 @@ stop_state_free (StopState *state)
   g_free (state);
 }
 
-static gboolean
-is_same_camera (const Camera *a, const Camera *b)
-{
-  return a->turn.w == b->turn.w && a->turn.x == b->turn.x
-         && a->turn.y == b->turn.y && a->turn.z == b->turn.z
-         && a->centre.x == b->centre.x && a->centre.y == b->centre.y
-         && a->centre.z == b->centre.z && a->zoom == b->zoom
-         && a->pan_x == b->pan_x && a->pan_y == b->pan_y
-         && a->is_parallel == b->is_parallel
-         && a->is_mirrored == b->is_mirrored;
-}
-
 /* The look of a stop. A camera that a person has turned since @from, and a
  * theme that a person has chosen, are kept unless the lesson changes them on
  * the way; @from NULL: they are not kept. */
@@ -49,7 +37,7 @@ put_look (Session *session, const StopState *from, const StopState *state)
   session->look.preview = old.preview;
   session->look.extent = old.extent;
   session_tell (session, CHANGED_LOOK);
-  if (from == NULL || !is_same_camera (&from->camera, &state->camera))
+  if (from == NULL || !camera_equal (&from->camera, &state->camera))
     session_set_camera (session, &state->camera);
   if (from == NULL || from->told_theme != state->told_theme)
     session_tell_theme (session, state->told_theme);

@@ -1,6 +1,7 @@
 #include "session-private.h"
 
 #include "narration.h"
+#include "why.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -390,4 +391,19 @@ session_narrate (Session *session)
 
   narration_write (session->run->trace, session->step, translate, text);
   return g_strdup (text);
+}
+
+char *
+session_explain (Session *session)
+{
+  const SceneLook *look = &session->look;
+  const Frame *frame = session_get_frame (session);
+  char text[NARRATION_ROOM];
+
+  if ((look->layers & LAYER_WHY) == 0)
+    return NULL;
+  why_write (frame,
+             why_find (frame, look->selection, look->hover, look->measured),
+             translate, text);
+  return text[0] == '\0' ? NULL : g_strdup (text);
 }

@@ -201,6 +201,12 @@ gboolean session_play_stop (Session *session,
 /* The sentence for the step, translated; free with g_free(). */
 char *session_narrate (Session *session);
 
+/* The sentence of LAYER_WHY on the facet and the site that a person asks
+ * about, translated; free with g_free().
+ *
+ * Returns: NULL when the layer is hidden or nothing is asked. */
+char *session_explain (Session *session);
+
 G_END_DECLS
 
 #endif
