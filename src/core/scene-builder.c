@@ -398,6 +398,15 @@ scene_at (const SceneBuilder *builder, uint32_t site, bool lifted)
                       lifted);
 }
 
+uint32_t
+scene_hue (const SceneBuilder *builder, uint32_t site)
+{
+  const SceneLook *look = builder->look;
+
+  /* A site that is only a preview has none yet. */
+  return look->hues != NULL && site < look->n_hues ? look->hues[site] : site;
+}
+
 Role
 scene_site_role (SiteState state)
 {

@@ -67,6 +67,9 @@ bool scene_has_layer (const SceneBuilder *builder, Layer layer);
 /* The sites of facet @facet, or of triangle @facet of flat input. */
 const uint32_t *scene_facet_sites (const SceneBuilder *builder, uint32_t facet);
 
+/* Returns: the hue of a site's cell. */
+uint32_t scene_hue (const SceneBuilder *builder, uint32_t site);
+
 /* Returns: the scene point of site number @site. */
 Point3 scene_at (const SceneBuilder *builder, uint32_t site, bool lifted);
 

@@ -58,7 +58,7 @@ add_cells (Picture *picture)
     scene_add (picture->builder, SHAPE_POLYGON, ROLE_FURTHEST_CELL,
                (Object){ OBJECT_SITE, site })
         ->hue
-        = site;
+        = scene_hue (picture->builder, site);
     for (k = 0; k < n; k++)
       scene_add_point (picture->builder, in_plane (corners[k]));
   }

@@ -65,7 +65,7 @@ add_polygon (SceneBuilder *builder,
   scene_add (builder, SHAPE_POLYGON, ROLE_TANGENT,
              (Object){ OBJECT_SITE, site })
       ->hue
-      = site;
+      = scene_hue (builder, site);
   for (i = n; i-- > 0;) {
     const Point3 here = corners[i], next = corners[(i + n - 1) % n];
     const bool is_up = !is_cut || height_at (&tangent, here) >= 0;

@@ -150,7 +150,7 @@ add_cell (SceneDiagram *diagram, uint32_t site)
     round = &builder->frame->trace->rounds[builder->frame->round];
   item = scene_add (builder, SHAPE_POLYGON, ROLE_CELL,
                     (Object){ OBJECT_SITE, site });
-  item->hue = site;
+  item->hue = scene_hue (builder, site);
   if (round != NULL && site == round->site)
     item->emphasis = EMPHASIS_LOUD;
   for (i = 0; i < n; i++)

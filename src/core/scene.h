@@ -218,6 +218,9 @@ typedef struct SceneLook {
                       pointer is on none */
   bool has_preview;
   Site preview; /* LAYER_PREVIEW: where the site would be, as SiteSet.sites */
+  const uint32_t *hues; /* SceneItem.hue of each site's cell, n_hues of them;
+                           borrowed; NULL: a site's own number */
+  uint32_t n_hues;
   Point3 low, high; /* plane scene: the visible rectangle, to clip to; see
                        scene_look_fit() */
 } SceneLook;

@@ -13,12 +13,19 @@ struct History {
 };
 
 static void
+snapshot_clear (Snapshot *snapshot)
+{
+  g_free (snapshot->sites);
+  g_free (snapshot->hues);
+}
+
+static void
 edit_free (gpointer data)
 {
   Edit *edit = data;
 
-  g_free (edit->before.sites);
-  g_free (edit->after.sites);
+  snapshot_clear (&edit->before);
+  snapshot_clear (&edit->after);
   g_free (edit->undo_label);
   g_free (edit->redo_label);
   g_free (edit);
@@ -67,7 +74,7 @@ history_amend (History *history, Snapshot after)
 
   g_assert (history->n_done > 0 && history->n_done == history->edits->len);
   edit = g_ptr_array_index (history->edits, history->n_done - 1);
-  g_free (edit->after.sites);
+  snapshot_clear (&edit->after);
   edit->after = after;
 }
 

@@ -16,6 +16,7 @@ typedef struct History History;
 /* The sites on one side of an edit; coordinates as given. */
 typedef struct Snapshot {
   Site *sites;
+  guint32 *hues; /* of their cells */
   guint n_sites;
 } Snapshot;
 
@@ -25,14 +26,14 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC (History, history_free)
 
 /* Remembers an edit; what had been undone can no longer be redone.
  *
- * Owns: takes the sites of @before and @after, and @edit: the edit as a noun,
+ * Owns: takes what @before and @after hold, and @edit: the edit as a noun,
  *       translated: "move of s3". */
 void
 history_push (History *history, Snapshot before, Snapshot after, char *edit);
 
 /* Makes @after what the last edit led to, as a drag goes on.
  *
- * Owns: takes the sites of @after. */
+ * Owns: takes what @after holds. */
 void history_amend (History *history, Snapshot after);
 
 /* Steps back (forward) and returns: the sites to show, borrowed, or NULL

@@ -14,6 +14,9 @@ run_new (const Site *sites, guint n_sites, const Order *order)
   run->reference_count = 1;
   run->set = set;
   run->trace = trace_record (set, order);
+  run->hues = g_new (guint32, MAX (n_sites, 1));
+  for (guint i = 0; i < n_sites; i++)
+    run->hues[i] = i;
   return run;
 }
 
@@ -31,6 +34,7 @@ run_unref (Run *run)
     return;
   trace_free (run->trace);
   site_set_free (run->set);
+  g_free (run->hues);
   g_free (run);
 }
 

@@ -13,6 +13,7 @@ typedef struct Run {
   int reference_count;
   SiteSet *set;
   Trace *trace;
+  guint32 *hues; /* per site: SceneLook.hues */
 } Run;
 
 /* Returns: (transfer full): the run of @sites in @order, or NULL when no exact
@@ -24,6 +25,10 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC (Run, run_unref)
 
 /* Returns: (transfer full): the coordinates as given, n_sites of them. */
 Site *run_given (const Run *run);
+
+/* Lets sites that were there before keep their hues, however they are numbered
+ * now; new ones get others. A run that is shared already keeps its own. */
+void run_inherit_hues (Run *run, const Run *before);
 
 /* Returns: whether it is the run of exactly these sites in this order. */
 gboolean run_is_of (const Run *run,

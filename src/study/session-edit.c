@@ -36,7 +36,11 @@ make_run (Session *session, const Site *sites, guint n_sites, GError **error)
 static Snapshot
 snapshot_of (const Run *run)
 {
-  return (Snapshot){ run_given (run), run->set->n_sites };
+  const guint n_sites = run->set->n_sites;
+
+  return (Snapshot){ run_given (run),
+                     g_memdup2 (run->hues, n_sites * sizeof *run->hues),
+                     n_sites };
 }
 
 void
@@ -73,6 +77,7 @@ put_edit (Session *session, Run *run, char *edit)
             ? run_same_place (session->drag_run, session->drag_step, run)
             : run_same_place (session->run, session->step, run);
 
+  run_inherit_hues (run, before);
   session_hold (session);
   session_put_run (session, run, step);
   if (session->is_replaying)
@@ -105,6 +110,7 @@ session_set_order (Session *session, const Order *order)
   if (session->is_replaying)
     session->n_sites_made += n_sites;
   run = run_new (sites, n_sites, order);
+  run_inherit_hues (run, session->run);
   session_hold (session);
   session_end_edit (session);
   session_put_run (session, run,
@@ -255,6 +261,8 @@ show_snapshot (Session *session, const Snapshot *snapshot)
     return FALSE;
   /* They have been shown before, so their run exists. */
   run = make_run (session, snapshot->sites, snapshot->n_sites, NULL);
+  if (run->reference_count == 1)
+    memcpy (run->hues, snapshot->hues, run->set->n_sites * sizeof *run->hues);
   session_hold (session);
   session_put_run (session, run,
                    run_same_place (session->run, session->step, run));

@@ -128,6 +128,8 @@ session_put_run (Session *session, Run *run, guint step)
   drop_frame (session);
   run_unref (session->run);
   session->run = run;
+  session->look.hues = run->hues;
+  session->look.n_hues = run->set->n_sites;
   session->step = MIN (step, run->trace->n_events);
   /* The extent is in units of SiteSet.sites: keep it where it was. */
   extent->centre.x = ldexp (extent->centre.x, shift);
