@@ -12,7 +12,7 @@ enum { N_WARM = 10, N_TIMES = 50, BYTES_ALLOWED = 8 << 10 };
 static const char *const documents[] = {
   "lessons/01-one-insertion-in-two-worlds.md",
   "lessons/02-when-sites-tie.md",
-  "tests/corpus/random100.txt",
+  "tests/corpus/kettner-a1.txt",
   "tests/corpus/grid5.txt",
   "tests/corpus/bad-word.txt",
 };
