@@ -4,9 +4,6 @@
 #include <stddef.h>
 
 #define TURN 6.28318530717958647692
-#define HALO_ALPHA 0.5
-#define HALO_FILL_ALPHA 0.22
-#define HATCH_WIDTH 1.3
 
 void
 brush_colour (cairo_t *cr, Colour colour)
@@ -48,36 +45,109 @@ hatch_stroke (const Pixel *corners,
   return n_ends == 2;
 }
 
-/* How the strokes of a hatch run: normal · (x, y) is a multiple of step. */
-typedef struct Strokes {
-  double normal[2], step;
-} Strokes;
+int
+brush_hatch_directions (const Style *style,
+                        const Theme *theme,
+                        HatchDirection directions[2])
+{
+  const double step = theme->hatch_px;
+  const double slant = step * sqrt (2);
+  const HatchDirection level = { { 0, 1 }, step };
+  const HatchDirection upright = { { 1, 0 }, step };
+  const HatchDirection rising = { { 1, 1 }, slant };
+  const HatchDirection falling = { { -1, 1 }, slant };
+  double wider = 1;
+
+  directions[0] = rising;
+  switch (style->hatch) {
+  case HATCH_NONE:
+    return 0;
+  case HATCH_RISING:
+    return 1;
+  case HATCH_FALLING:
+    directions[0] = falling;
+    directions[0].step *= 1.4;
+    return 1;
+  case HATCH_LEVEL:
+    directions[0] = level;
+    return 1;
+  case HATCH_UPRIGHT:
+    directions[0] = upright;
+    return 1;
+  case HATCH_CROSSED:
+    directions[1] = falling;
+    wider = 1.2;
+    break;
+  case HATCH_GRID:
+    directions[0] = level;
+    directions[1] = upright;
+    wider = 1.4;
+    break;
+  }
+  directions[0].step *= wider;
+  directions[1].step *= wider;
+  return 2;
+}
+
+/* A hatch in hand. */
+typedef struct Hatching {
+  const Pixel *corners;
+  uint32_t n;
+  BrushHatch on_stroke;
+  void *user;
+} Hatching;
 
 /* Strokes at multiples of the step, so that the hatches of neighbours
  * continue each other. Strokes are cut to the polygon here: a clip or a
  * pattern would not be written the same way twice. */
 static void
-hatch (cairo_t *cr, const Pixel *corners, uint32_t n, Strokes strokes)
+hatch (const Hatching *hatching, HatchDirection direction)
 {
-  const double x = strokes.normal[0], y = strokes.normal[1];
+  const double x = direction.normal[0], y = direction.normal[1];
   double low = INFINITY, high = -INFINITY;
   Pixel ends[2];
   int64_t stroke;
   uint32_t i;
 
-  for (i = 0; i < n; i++) {
-    low = fmin (low, x * corners[i].x + y * corners[i].y);
-    high = fmax (high, x * corners[i].x + y * corners[i].y);
-  }
-  for (stroke = (int64_t)ceil (low / strokes.step);
-       strokes.step * (double)stroke < high; stroke++) {
-    const double level = strokes.step * (double)stroke;
+  for (i = 0; i < hatching->n; i++) {
+    const Pixel corner = hatching->corners[i];
 
-    if (hatch_stroke (corners, n, (double[3]){ x, y, level }, ends)) {
-      cairo_move_to (cr, ends[0].x, ends[0].y);
-      cairo_line_to (cr, ends[1].x, ends[1].y);
-    }
+    low = fmin (low, x * corner.x + y * corner.y);
+    high = fmax (high, x * corner.x + y * corner.y);
   }
+  for (stroke = (int64_t)ceil (low / direction.step);
+       direction.step * (double)stroke < high; stroke++) {
+    const double line[3] = { x, y, direction.step * (double)stroke };
+
+    if (hatch_stroke (hatching->corners, hatching->n, line, ends))
+      hatching->on_stroke (ends, hatching->user);
+  }
+}
+
+void
+brush_hatch (const Style *style,
+             const Theme *theme,
+             const Pixel *corners,
+             uint32_t n,
+             BrushHatch on_stroke,
+             void *user)
+{
+  const Hatching hatching = { corners, n, on_stroke, user };
+  HatchDirection directions[2];
+  const int n_directions = brush_hatch_directions (style, theme, directions);
+  int i;
+
+  for (i = 0; i < n_directions; i++)
+    hatch (&hatching, directions[i]);
+}
+
+static void
+trace_stroke (const Pixel ends[2], void *user)
+{
+  cairo_t *cr = user;
+
+  cairo_move_to (cr, ends[0].x, ends[0].y);
+  cairo_line_to (cr, ends[1].x, ends[1].y);
 }
 
 static void
@@ -87,36 +157,12 @@ hatch_polygon (cairo_t *cr,
                const Pixel *corners,
                uint32_t n)
 {
-  const double step = theme->hatch_px;
-  const double slant = step * sqrt (2);
-
-  switch (style->hatch) {
-  case HATCH_NONE:
+  if (style->hatch == HATCH_NONE)
     return;
-  case HATCH_RISING:
-    hatch (cr, corners, n, (Strokes){ { 1, 1 }, slant });
-    break;
-  case HATCH_FALLING:
-    hatch (cr, corners, n, (Strokes){ { -1, 1 }, 1.4 * slant });
-    break;
-  case HATCH_CROSSED:
-    hatch (cr, corners, n, (Strokes){ { 1, 1 }, 1.2 * slant });
-    hatch (cr, corners, n, (Strokes){ { -1, 1 }, 1.2 * slant });
-    break;
-  case HATCH_LEVEL:
-    hatch (cr, corners, n, (Strokes){ { 0, 1 }, step });
-    break;
-  case HATCH_UPRIGHT:
-    hatch (cr, corners, n, (Strokes){ { 1, 0 }, step });
-    break;
-  case HATCH_GRID:
-    hatch (cr, corners, n, (Strokes){ { 0, 1 }, 1.4 * step });
-    hatch (cr, corners, n, (Strokes){ { 1, 0 }, 1.4 * step });
-    break;
-  }
+  brush_hatch (style, theme, corners, n, trace_stroke, cr);
   cairo_set_dash (cr, NULL, 0, 0);
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
-  cairo_set_line_width (cr, HATCH_WIDTH * theme->line_factor);
+  cairo_set_line_width (cr, BRUSH_HATCH_WIDTH * theme->line_factor);
   brush_colour (cr, style->line);
   cairo_stroke (cr);
 }
@@ -146,12 +192,12 @@ brush_polygon (cairo_t *cr,
   hatch_polygon (cr, style, theme, corners, n);
   if (style->halo.alpha > 0) {
     trace_polygon (cr, corners, n);
-    brush_colour (cr, with_alpha (style->halo, HALO_FILL_ALPHA));
+    brush_colour (cr, with_alpha (style->halo, BRUSH_HALO_FILL_ALPHA));
     cairo_fill (cr);
     trace_polygon (cr, corners, n);
     brush_colour (cr, style->halo);
     cairo_set_dash (cr, NULL, 0, 0);
-    cairo_set_line_width (cr, 0.7 * style->halo_width);
+    cairo_set_line_width (cr, BRUSH_HALO_OUTLINE * style->halo_width);
     cairo_stroke (cr);
   }
   if (style->width > 0 && style->line.alpha > 0) {
@@ -170,20 +216,26 @@ brush_casing (cairo_t *cr, const Style *style, const Theme *theme)
   cairo_stroke (cr);
 }
 
+/* Round ends cost twice the time; thin lines end under marks. */
+bool
+brush_has_round_ends (const Style *style)
+{
+  const bool has_dash = style->dash > 0;
+
+  return has_dash ? style->dash < style->width : style->casing > 0;
+}
+
 void
 brush_line (cairo_t *cr, const Style *style)
 {
   const bool has_dash = style->dash > 0;
-  const bool has_dots = has_dash && style->dash < style->width;
 
-  /* Round ends cost cairo twice the time; thin lines end under marks. */
-  cairo_set_line_cap (cr, has_dots || (style->casing > 0 && !has_dash)
-                              ? CAIRO_LINE_CAP_ROUND
-                              : CAIRO_LINE_CAP_BUTT);
+  cairo_set_line_cap (cr, brush_has_round_ends (style) ? CAIRO_LINE_CAP_ROUND
+                                                       : CAIRO_LINE_CAP_BUTT);
   if (style->halo.alpha > 0) {
     cairo_set_dash (cr, NULL, 0, 0);
     cairo_set_line_width (cr, style->width + 2 * style->halo_width);
-    brush_colour (cr, with_alpha (style->halo, HALO_ALPHA));
+    brush_colour (cr, with_alpha (style->halo, BRUSH_HALO_ALPHA));
     cairo_stroke_preserve (cr);
   }
   cairo_set_dash (cr, (double[2]){ style->dash, style->gap }, has_dash ? 2 : 0,

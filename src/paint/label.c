@@ -30,7 +30,22 @@ struct LabelSheet {
   int columns, rows;
   double width, height;
   unsigned char *ink;
+  Pixel directions[N_DIRECTIONS];
 };
+
+/* Directions fan out from the upper right to both sides. */
+static void
+find_directions (LabelSheet *sheet)
+{
+  int i;
+
+  for (i = 0; i < N_DIRECTIONS; i++) {
+    const int side = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
+    const double angle = TURN / 8 + TURN * side / N_DIRECTIONS;
+
+    sheet->directions[i] = (Pixel){ cos (angle), -sin (angle) };
+  }
+}
 
 LabelSheet *
 label_sheet_new (double width, double height)
@@ -42,6 +57,7 @@ label_sheet_new (double width, double height)
   sheet->columns = (int)ceil (width / CELL);
   sheet->rows = (int)ceil (height / CELL);
   sheet->ink = g_malloc0 ((gsize)sheet->columns * (gsize)sheet->rows);
+  find_directions (sheet);
   return sheet;
 }
 
@@ -112,12 +128,14 @@ cells_of (const LabelSheet *sheet, const Label *label, Pixel low)
               MIN ((int)ceil ((low.y + label->height) / CELL), sheet->rows) };
 }
 
+/* Returns: how bad it is to cover these cells; something above @most when it
+ *          is worse than that. */
 static double
-ink_under (const LabelSheet *sheet, Cells cells)
+ink_under (const LabelSheet *sheet, Cells cells, double most)
 {
   int row, column, sum = 0;
 
-  for (row = cells.top; row < cells.bottom; row++)
+  for (row = cells.top; row < cells.bottom && sum <= most; row++)
     for (column = cells.left; column < cells.right; column++) {
       const unsigned char ink = sheet->ink[row * sheet->columns + column];
 
@@ -127,22 +145,22 @@ ink_under (const LabelSheet *sheet, Cells cells)
 }
 
 static double
-cost_of (const LabelSheet *sheet, const Label *label, Pixel low)
+cost_of (const LabelSheet *sheet, const Label *label, Pixel low, double most)
 {
   const bool is_inside = low.x >= 0 && low.y >= 0
                          && low.x + label->width <= sheet->width
                          && low.y + label->height <= sheet->height;
 
-  return ink_under (sheet, cells_of (sheet, label, low))
+  return ink_under (sheet, cells_of (sheet, label, low), most)
          + (is_inside ? 0 : COST_OUTSIDE);
 }
 
-/* The rectangle that touches, in direction @angle, a circle of @radius round
- * the mark. */
+/* The rectangle that touches, in a direction of length 1, a circle of @radius
+ * round the mark. */
 static Pixel
-place_at (const Label *label, double angle, double radius)
+place_at (const Label *label, Pixel direction, double radius)
 {
-  const double x = cos (angle), y = -sin (angle);
+  const double x = direction.x, y = direction.y;
 
   return (Pixel){ label->at.x + radius * x + (x - 1) * label->width / 2,
                   label->at.y + radius * y + (y - 1) * label->height / 2 };
@@ -153,39 +171,40 @@ typedef struct Best {
   Pixel low;
 } Best;
 
+/* Takes a place that costs so much more than its ink if it is the best. */
 static void
-consider (const LabelSheet *sheet, const Label *label, Pixel low, Best *best)
+consider (const LabelSheet *sheet, const Label *label, Best here, Best *best)
 {
-  const double cost = best->cost > 0 ? cost_of (sheet, label, low) : INFINITY;
-
-  if (cost < best->cost)
-    *best = (Best){ cost, low };
+  here.cost += cost_of (sheet, label, here.low, best->cost - here.cost);
+  if (here.cost < best->cost)
+    *best = here;
 }
 
-/* Directions fan out from the upper right to both sides; nearer places and
- * earlier directions win ties. */
+/* Nearer places and earlier directions win ties. A place has to cost less than
+ * @limit. */
 static Best
-find_place (const LabelSheet *sheet, const Label *label)
+find_place (const LabelSheet *sheet, const Label *label, double limit)
 {
-  Best best = { INFINITY, label->at };
+  Best best = { limit, label->at };
   int distance, i;
 
   if (label->is_centred)
     consider (sheet, label,
-              (Pixel){ label->at.x - label->width / 2,
-                       label->at.y - label->height / 2 },
+              (Best){ 0,
+                      { label->at.x - label->width / 2,
+                        label->at.y - label->height / 2 } },
               &best);
   for (distance = 0; distance < N_DISTANCES; distance++)
     for (i = 0; i < N_DIRECTIONS; i++) {
-      const int side = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
-      const double angle = TURN / 8 + TURN * side / N_DIRECTIONS;
       const double radius = label->reach + 1.5 + DISTANCE_STEP * distance;
-      Best here = { INFINITY, label->at };
+      const double more = COST_DISTANCE * distance + 0.1 * i;
 
-      consider (sheet, label, place_at (label, angle, radius), &here);
-      here.cost += COST_DISTANCE * distance + 0.1 * i;
-      if (here.cost < best.cost)
-        best = here;
+      /* All places to come cost at least this much. */
+      if (best.cost <= more)
+        return best;
+      consider (sheet, label,
+                (Best){ more, place_at (label, sheet->directions[i], radius) },
+                &best);
     }
   return best;
 }
@@ -193,8 +212,8 @@ find_place (const LabelSheet *sheet, const Label *label)
 static void
 place (LabelSheet *sheet, Label *label)
 {
-  const Best best = find_place (sheet, label);
   const double limit = label->is_important ? COST_OUTSIDE : (double)COST_LIMIT;
+  const Best best = find_place (sheet, label, limit);
   Cells cells;
   int row;
 

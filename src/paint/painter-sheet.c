@@ -27,7 +27,10 @@ is_outside_seen (const Projection *projection, Point3 point)
 
 /* Traces what of a line lies on the wanted side. */
 static void
-trace_side (Painter *painter, const SceneItem *item, bool is_near)
+trace_side (Painter *painter,
+            const SceneItem *item,
+            uint32_t style,
+            bool is_near)
 {
   const Point3 *points = &painter->scene->points[item->first];
   uint32_t first, last;
@@ -43,7 +46,7 @@ trace_side (Painter *painter, const SceneItem *item, bool is_near)
       last++;
     part.first = item->first + first;
     part.n = last - first + 1;
-    painter_trace (painter, &part, 0);
+    painter_trace (painter, &part, STROKE_LINE, style);
   }
 }
 
@@ -144,9 +147,9 @@ pixels_of (const Painter *painter, const SceneItem *rim, int n_rings)
   return pixels;
 }
 
-/* Traces the convex hull of @pixels, cut to the view. */
+/* Adds the convex hull of @pixels, cut to the view, to the stroke in hand. */
 static void
-trace_hull (Painter *painter, GArray *pixels)
+add_hull (Painter *painter, GArray *pixels)
 {
   const Pixel low = { -PAINTER_MARGIN, -PAINTER_MARGIN };
   const Pixel high = { painter->projection->width + PAINTER_MARGIN,
@@ -162,11 +165,8 @@ trace_hull (Painter *painter, GArray *pixels)
   g_array_set_size (hull, n + 4);
   corners = (Pixel *)hull->data;
   n_corners = clip_polygon_to_rectangle (low, high, corners, n);
-  cairo_new_sub_path (painter->cr);
   for (i = 0; i < n_corners; i++)
-    cairo_line_to (painter->cr, corners[i].x, corners[i].y);
-  if (n_corners > 0)
-    cairo_close_path (painter->cr);
+    stroke_add (painter->drawing, corners[i]);
 }
 
 /* Whether the eye looks into the paraboloid through its rim. */
@@ -186,32 +186,35 @@ fill_side (Painter *painter, const SceneItem *rim, bool is_near)
 {
   g_autoptr (GArray) all = pixels_of (painter, rim, N_RINGS);
   g_autoptr (GArray) opening = pixels_of (painter, rim, 1);
-  Colour fill = painter->theme->styles[ROLE_SHEET].fill;
+  Style style = painter->theme->styles[ROLE_SHEET];
+  Stroke *stroke;
 
-  trace_hull (painter, all);
+  style.fill.alpha *= 1 - rim->fade;
+  stroke = stroke_begin (painter->drawing, STROKE_REGION,
+                         drawing_add_style (painter->drawing, &style));
+  add_hull (painter, all);
+  stroke->n_outer = stroke->n;
   if (looks_into (painter, rim) == is_near)
-    trace_hull (painter, opening);
-  cairo_set_fill_rule (painter->cr, CAIRO_FILL_RULE_EVEN_ODD);
-  fill.alpha *= 1 - rim->fade;
-  brush_colour (painter->cr, fill);
-  cairo_fill (painter->cr);
-  cairo_set_fill_rule (painter->cr, CAIRO_FILL_RULE_WINDING);
+    add_hull (painter, opening);
+  stroke_end (painter->drawing);
 }
 
 /* Where the sheet turns from one side to the other. */
 static void
-paint_outline (Painter *painter, const SceneItem *rim)
+add_outline (Painter *painter, const SceneItem *rim)
 {
   g_autoptr (GArray) all = pixels_of (painter, rim, N_RINGS);
   Style style = theme_style (painter->theme, rim);
 
   style.line.alpha *= 0.75 * (1 - rim->fade);
-  trace_hull (painter, all);
-  brush_line (painter->cr, &style);
+  stroke_begin (painter->drawing, STROKE_RING,
+                drawing_add_style (painter->drawing, &style));
+  add_hull (painter, all);
+  stroke_end (painter->drawing);
 }
 
 void
-painter_paint_sheet (Painter *painter, bool is_near)
+painter_add_sheet (Painter *painter, bool is_near)
 {
   const Scene *scene = painter->scene;
   const SceneItem *rim = find_rim (scene);
@@ -222,15 +225,16 @@ painter_paint_sheet (Painter *painter, bool is_near)
   if (!is_near) {
     fill_side (painter, rim, false);
     fill_side (painter, rim, true);
-    paint_outline (painter, rim);
+    add_outline (painter, rim);
   }
   for (i = 0; i < scene->n_items; i++) {
     const SceneItem *item = &scene->items[i];
-    const Style style = theme_style (painter->theme, item);
+    Style style;
 
     if (!is_sheet (item))
       continue;
-    trace_side (painter, item, is_near);
-    brush_line (painter->cr, &style);
+    style = theme_style (painter->theme, item);
+    trace_side (painter, item, drawing_add_style (painter->drawing, &style),
+                is_near);
   }
 }

@@ -1,3 +1,5 @@
+#include "painter.h"
+
 #include "painter-private.h"
 
 #include <glib.h>
@@ -20,24 +22,31 @@
 #define SHADE_LEAST 0.78
 
 void
-painter_trace (Painter *painter, const SceneItem *item, double width)
+painter_trace (Painter *painter,
+               const SceneItem *item,
+               StrokeKind kind,
+               uint32_t style)
 {
   const Point3 *points = &painter->scene->points[item->first];
+  Drawing *drawing = painter->drawing;
   Pixel at = { NAN, NAN };
   uint32_t i;
 
+  stroke_begin (drawing, kind, style);
   for (i = 0; i + 1 < item->n; i++) {
     Pixel ends[2];
 
     if (!clip_segment (painter->projection, &points[i], PAINTER_MARGIN, ends))
       continue;
-    if (at.x != ends[0].x || at.y != ends[0].y)
-      cairo_move_to (painter->cr, ends[0].x, ends[0].y);
-    cairo_line_to (painter->cr, ends[1].x, ends[1].y);
+    if (at.x != ends[0].x || at.y != ends[0].y) {
+      stroke_end (drawing);
+      stroke_begin (drawing, kind, style);
+      stroke_add (drawing, ends[0]);
+    }
+    stroke_add (drawing, ends[1]);
     at = ends[1];
-    if (painter->sheet != NULL)
-      label_sheet_line (painter->sheet, ends, width);
   }
+  stroke_end (drawing);
 }
 
 static void
@@ -102,6 +111,31 @@ painter_style (const Painter *painter, const SceneItem *item)
   return style;
 }
 
+/* Items of one sort share a style, but for the hue of a cell.
+ *
+ * Returns: the number of the style. */
+static uint32_t
+style_of (Painter *painter, const SceneItem *item)
+{
+  const uint32_t index = (uint32_t)(item - painter->scene->items);
+  uint32_t sort = (uint32_t)item->role;
+  PainterSort *known;
+
+  sort = (3 * sort + (uint32_t)item->emphasis) * 3 + (uint32_t)item->lit;
+  sort = 3 * sort + (uint32_t)item->shape;
+  sort = N_SCENE_DEPTHS * sort + painter->depths[index];
+  sort = 2 * sort + (item->object.kind == OBJECT_VERTEX);
+  known = &painter->sorts[sort];
+  if (known->style == 0 || known->fade < item->fade
+      || known->fade > item->fade) {
+    const Style style = painter_style (painter, item);
+
+    known->style = 1 + drawing_add_style (painter->drawing, &style);
+    known->fade = item->fade;
+  }
+  return known->style - 1;
+}
+
 static Point3
 normal_of (const Point3 *points)
 {
@@ -133,8 +167,8 @@ light_at (const Painter *painter, Point3 point)
   return (Point3){ light.x / length, light.y / length, light.z / length };
 }
 
-static void
-shade (const Painter *painter, const SceneItem *item, Style *style)
+static Colour
+shaded (const Painter *painter, const SceneItem *item, Colour fill)
 {
   const Point3 *points = &painter->scene->points[item->first];
   const Point3 normal = normal_of (points);
@@ -143,36 +177,41 @@ shade (const Painter *painter, const SceneItem *item, Style *style)
       = fabs (normal.x * light.x + normal.y * light.y + normal.z * light.z);
   const Colour black = { 0, 0, 0, 1 };
 
-  if (isfinite (cosine))
-    style->fill
-        = colour_mix (style->fill, black, (1 - SHADE_LEAST) * (1 - cosine));
+  if (!isfinite (cosine))
+    return fill;
+  return colour_mix (fill, black, (1 - SHADE_LEAST) * (1 - cosine));
+}
+
+/* Gives the stroke in hand the corners of a polygon. */
+static void
+add_corners (Painter *painter, const SceneItem *item)
+{
+  const uint32_t n = clip_polygon (
+      painter->projection, &painter->scene->points[item->first], item->n,
+      PAINTER_MARGIN, painter->corners);
+  uint32_t i;
+
+  for (i = 0; i < n; i++)
+    stroke_add (painter->drawing, painter->corners[i]);
+  stroke_end (painter->drawing);
 }
 
 static void
-paint_polygon (Painter *painter, const SceneItem *item)
+add_polygon (Painter *painter, const SceneItem *item)
 {
-  Style style = painter_style (painter, item);
-  uint32_t n;
+  Drawing *drawing = painter->drawing;
+  const uint32_t style = style_of (painter, item);
+  const Style *look = &drawing->styles[style];
+  Stroke *stroke;
 
-  if (style.fill.alpha <= 0 && style.line.alpha <= 0 && style.halo.alpha <= 0)
+  if (look->fill.alpha <= 0 && look->line.alpha <= 0 && look->halo.alpha <= 0)
     return;
-  if (style.is_shaded && painter->scene->is_space && item->pass == PASS_HULL)
-    shade (painter, item, &style);
-  n = clip_polygon (painter->projection, &painter->scene->points[item->first],
-                    item->n, PAINTER_MARGIN, painter->corners);
-  if (n > 0)
-    brush_polygon (painter->cr, &style, painter->theme, painter->corners, n);
-}
-
-static void
-paint_path (Painter *painter, const SceneItem *item)
-{
-  const Style style = painter_style (painter, item);
-
-  if (style.line.alpha <= 0)
-    return;
-  painter_trace (painter, item, style.width);
-  brush_line (painter->cr, &style);
+  stroke = stroke_begin (drawing, STROKE_POLYGON, style);
+  if (theme_has_hue (item->role))
+    stroke->fill = painter_style (painter, item).fill;
+  if (look->is_shaded && painter->scene->is_space && item->pass == PASS_HULL)
+    stroke->fill = shaded (painter, item, stroke->fill);
+  add_corners (painter, item);
 }
 
 /* The casings of a chain of lines of one depth come before all its lines, or
@@ -180,47 +219,58 @@ paint_path (Painter *painter, const SceneItem *item)
  *
  * Returns: the item after the chain that begins at @first. */
 static uint32_t
-paint_casings (Painter *painter, uint32_t first)
+add_casings (Painter *painter, uint32_t first)
 {
   const Scene *scene = painter->scene;
   uint32_t i;
 
   for (i = first; i < scene->n_items; i++) {
     const SceneItem *item = &scene->items[i];
-    const Style style = painter_style (painter, item);
+    uint32_t style;
 
     if (item->shape != SHAPE_PATH)
       break;
     if (painter->depths[i] != painter->depths[first])
       continue;
-    if (!(style.casing > 0))
+    /* To find a style may move all of them. */
+    style = style_of (painter, item);
+    if (!(painter->drawing->styles[style].casing > 0))
       break;
-    painter_trace (painter, item, style.width);
-    brush_casing (painter->cr, &style, painter->theme);
+    painter_trace (painter, item, STROKE_CASING, style);
   }
   return i;
 }
 
 static void
-paint_mark (Painter *painter, const SceneItem *item)
+add_path (Painter *painter, const SceneItem *item)
 {
-  const Style style = painter_style (painter, item);
+  const uint32_t style = style_of (painter, item);
+
+  if (painter->drawing->styles[style].line.alpha > 0)
+    painter_trace (painter, item, STROKE_LINE, style);
+}
+
+static void
+add_mark (Painter *painter, const SceneItem *item)
+{
+  const uint32_t style = style_of (painter, item);
+  const Style *look = &painter->drawing->styles[style];
   Pixel at;
 
-  if (style.mark == MARK_NONE || item->fade >= 1 || style.radius < LEAST_RADIUS
+  if (look->mark == MARK_NONE || item->fade >= 1 || look->radius < LEAST_RADIUS
       || !clip_point (painter->projection, painter->scene->points[item->first],
                       &at)
       || at.x < -PAINTER_MARGIN || at.y < -PAINTER_MARGIN
       || at.x > painter->projection->width + PAINTER_MARGIN
       || at.y > painter->projection->height + PAINTER_MARGIN)
     return;
-  brush_mark (painter->cr, &style, painter->theme, at);
-  if (painter->sheet != NULL)
-    label_sheet_mark (painter->sheet, at, brush_mark_reach (&style));
+  stroke_begin (painter->drawing, STROKE_MARK, style);
+  stroke_add (painter->drawing, at);
+  stroke_end (painter->drawing);
 }
 
 static void
-paint_depth (Painter *painter, SceneDepth depth)
+add_depth (Painter *painter, SceneDepth depth)
 {
   const Scene *scene = painter->scene;
   uint32_t i, cased = 0;
@@ -232,15 +282,15 @@ paint_depth (Painter *painter, SceneDepth depth)
       continue;
     switch (item->shape) {
     case SHAPE_POLYGON:
-      paint_polygon (painter, item);
+      add_polygon (painter, item);
       break;
     case SHAPE_PATH:
       if (i >= cased)
-        cased = MAX (paint_casings (painter, i), i + 1);
-      paint_path (painter, item);
+        cased = MAX (add_casings (painter, i), i + 1);
+      add_path (painter, item);
       break;
     case SHAPE_MARK:
-      paint_mark (painter, item);
+      add_mark (painter, item);
       break;
     }
   }
@@ -249,31 +299,21 @@ paint_depth (Painter *painter, SceneDepth depth)
 /* Background where the hull will be, so that the sheet behind it shines
  * through no facet. */
 static void
-paint_mat (Painter *painter)
+add_mat (Painter *painter)
 {
   const Colour background = painter->theme->background;
   const Style mat = { .fill = background, .line = background, .width = 1 };
-  uint32_t i, n;
+  const uint32_t style = drawing_add_style (painter->drawing, &mat);
+  const Scene *scene = painter->scene;
+  uint32_t i;
 
-  for (i = 0; i < painter->scene->n_items; i++) {
-    const SceneItem *item = &painter->scene->items[i];
-
-    if (item->pass != PASS_HULL || item->shape != SHAPE_POLYGON)
+  for (i = 0; i < scene->n_items; i++) {
+    if (scene->items[i].pass != PASS_HULL
+        || scene->items[i].shape != SHAPE_POLYGON)
       continue;
-    n = clip_polygon (painter->projection, &painter->scene->points[item->first],
-                      item->n, PAINTER_MARGIN, painter->corners);
-    if (n > 0)
-      brush_polygon (painter->cr, &mat, painter->theme, painter->corners, n);
+    stroke_begin (painter->drawing, STROKE_POLYGON, style);
+    add_corners (painter, &scene->items[i]);
   }
-}
-
-static void
-paint_background (const Painter *painter)
-{
-  brush_colour (painter->cr, painter->theme->background);
-  cairo_rectangle (painter->cr, 0, 0, painter->projection->width,
-                   painter->projection->height);
-  cairo_fill (painter->cr);
 }
 
 /* How large marks and lines may be, that one can still tell them apart where
@@ -306,9 +346,7 @@ painter_init (Painter *painter)
   }
   painter->size = size_in_crowd (painter, n_sites);
   painter->corners = g_new (Pixel, CLIP_ROOM (n_corners));
-  if (scene->n_labels > 0)
-    painter->sheet = label_sheet_new (painter->projection->width,
-                                      painter->projection->height);
+  painter->sorts = g_new0 (PainterSort, N_PAINTER_SORTS);
 }
 
 static void
@@ -316,8 +354,54 @@ painter_clear (Painter *painter)
 {
   g_free (painter->depths);
   g_free (painter->corners);
-  if (painter->sheet != NULL)
-    label_sheet_free (painter->sheet);
+  g_free (painter->sorts);
+}
+
+static void
+drawing_begin (Drawing *drawing,
+               const Projection *projection,
+               const Theme *theme)
+{
+  drawing->n_strokes = drawing->n_pixels = 0;
+  drawing->n_styles = drawing->n_placed = 0;
+  drawing->theme = theme;
+  drawing->width = projection->width;
+  drawing->height = projection->height;
+  names_begin (drawing->names, theme);
+}
+
+void
+drawing_set (Drawing *drawing,
+             const Scene *scene,
+             const Projection *projection,
+             const Theme *theme)
+{
+  Painter painter = {
+    .drawing = drawing, .scene = scene, .projection = projection, .theme = theme
+  };
+  int depth;
+
+  drawing_begin (drawing, projection, theme);
+  painter_init (&painter);
+  for (depth = 0; depth < N_SCENE_DEPTHS; depth++) {
+    if (depth == DEPTH_CONE_FAR && theme->has_mat)
+      add_mat (&painter);
+    if (depth == DEPTH_SHEET_FAR || depth == DEPTH_SHEET_NEAR)
+      painter_add_sheet (&painter, depth == DEPTH_SHEET_NEAR);
+    else
+      add_depth (&painter, (SceneDepth)depth);
+  }
+  if (scene->n_labels > 0)
+    painter_add_names (&painter);
+  painter_clear (&painter);
+}
+
+static void
+paint_background (cairo_t *cr, const Drawing *drawing)
+{
+  brush_colour (cr, drawing->theme->background);
+  cairo_rectangle (cr, 0, 0, drawing->width, drawing->height);
+  cairo_fill (cr);
 }
 
 void
@@ -327,28 +411,17 @@ painter_paint (cairo_t *cr,
                const Theme *theme,
                PainterFlags flags)
 {
-  Painter painter
-      = { .cr = cr, .scene = scene, .projection = projection, .theme = theme };
-  int depth;
+  Drawing *drawing = drawing_new ();
 
-  painter_init (&painter);
+  drawing_set (drawing, scene, projection, theme);
   cairo_save (cr);
   cairo_new_path (cr);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
   cairo_set_antialias (cr, flags & PAINTER_FAST ? CAIRO_ANTIALIAS_NONE
                                                 : CAIRO_ANTIALIAS_FAST);
   if (!(flags & PAINTER_CLEAR))
-    paint_background (&painter);
-  for (depth = 0; depth < N_SCENE_DEPTHS; depth++) {
-    if (depth == DEPTH_CONE_FAR && theme->has_mat)
-      paint_mat (&painter);
-    if (depth == DEPTH_SHEET_FAR || depth == DEPTH_SHEET_NEAR)
-      painter_paint_sheet (&painter, depth == DEPTH_SHEET_NEAR);
-    else
-      paint_depth (&painter, (SceneDepth)depth);
-  }
-  if (painter.sheet != NULL)
-    painter_paint_labels (&painter);
+    paint_background (cr, drawing);
+  drawing_to_cairo (drawing, cr);
   cairo_restore (cr);
-  painter_clear (&painter);
+  drawing_free (drawing);
 }

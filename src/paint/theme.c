@@ -69,11 +69,11 @@ cell_colour (const Theme *theme, uint32_t hue, bool is_loud)
   return colour_oklch (lightness, chroma, GOLDEN_ANGLE * hue);
 }
 
-static bool
-is_cell (const SceneItem *item)
+bool
+theme_has_hue (Role role)
 {
-  return item->role == ROLE_CELL || item->role == ROLE_FURTHEST_CELL
-         || item->role == ROLE_TANGENT;
+  return role == ROLE_CELL || role == ROLE_FURTHEST_CELL
+         || role == ROLE_TANGENT;
 }
 
 static void
@@ -192,7 +192,7 @@ theme_style (const Theme *theme, const SceneItem *item)
   Style style = theme->styles[item->role];
 
   style.ring_gap = RING_GAP;
-  if (is_cell (item))
+  if (theme_has_hue (item->role))
     take_hue (theme, item, &style);
   if (item->emphasis == EMPHASIS_PALE && item->lit == LIT_NONE)
     make_pale (theme, item->role, &style);

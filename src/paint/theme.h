@@ -84,6 +84,9 @@ void theme_init (Theme *theme, const Appearance *appearance);
  * are a golden angle apart. */
 Style theme_style (const Theme *theme, const SceneItem *item);
 
+/* Whether the fill of a role is that of each item's own hue. */
+bool theme_has_hue (Role role);
+
 /* Contrast ratio of two opaque colours, 1 … 21. Source: WCAG 2.1. */
 double colour_contrast (Colour a, Colour b);
 

@@ -1,0 +1,129 @@
+#include "drawing.h"
+
+#include "brush.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+Drawing *
+drawing_new (void)
+{
+  Drawing *drawing = memory_new (1, sizeof *drawing);
+
+  drawing->names = names_new ();
+  return drawing;
+}
+
+void
+drawing_free (Drawing *drawing)
+{
+  if (drawing == NULL)
+    return;
+  free (drawing->strokes);
+  free (drawing->pixels);
+  free (drawing->styles);
+  free (drawing->placed);
+  names_free (drawing->names);
+  free (drawing);
+}
+
+uint32_t
+drawing_add_style (Drawing *drawing, const Style *style)
+{
+  if (drawing->n_styles == drawing->styles_room)
+    drawing->styles
+        = memory_grow (drawing->styles, &drawing->styles_room,
+                       drawing->n_styles + 1, sizeof *drawing->styles);
+  drawing->styles[drawing->n_styles] = *style;
+  return drawing->n_styles++;
+}
+
+void
+drawing_add_name (Drawing *drawing, const PlacedName *placed)
+{
+  if (drawing->n_placed == drawing->placed_room)
+    drawing->placed
+        = memory_grow (drawing->placed, &drawing->placed_room,
+                       drawing->n_placed + 1, sizeof *drawing->placed);
+  drawing->placed[drawing->n_placed++] = *placed;
+}
+
+Stroke *
+stroke_begin (Drawing *drawing, StrokeKind kind, uint32_t style)
+{
+  Stroke *stroke;
+
+  if (drawing->n_strokes == drawing->strokes_room)
+    drawing->strokes
+        = memory_grow (drawing->strokes, &drawing->strokes_room,
+                       drawing->n_strokes + 1, sizeof *drawing->strokes);
+  stroke = &drawing->strokes[drawing->n_strokes++];
+  /* Two drawings are compared by their bytes: no room between the members
+   * may be left to chance. */
+  memset (stroke, 0, sizeof *stroke);
+  stroke->kind = kind;
+  stroke->style = style;
+  stroke->first = drawing->n_pixels;
+  stroke->fill = drawing->styles[style].fill;
+  return stroke;
+}
+
+void
+stroke_add (Drawing *drawing, Pixel pixel)
+{
+  if (drawing->n_pixels == drawing->pixels_room)
+    drawing->pixels
+        = memory_grow (drawing->pixels, &drawing->pixels_room,
+                       drawing->n_pixels + 1, sizeof *drawing->pixels);
+  drawing->pixels[drawing->n_pixels++] = pixel;
+  drawing->strokes[drawing->n_strokes - 1].n += 1;
+}
+
+/* How far a stroke is painted beyond its pixels. */
+static double
+reach_of (const Drawing *drawing, const Stroke *stroke)
+{
+  const Style *style = &drawing->styles[stroke->style];
+
+  switch (stroke->kind) {
+  case STROKE_POLYGON:
+    return fmax (style->width / 2 + style->halo_width,
+                 style->hatch == HATCH_NONE ? 0 : 2 * BRUSH_HATCH_WIDTH);
+  case STROKE_CASING:
+    return style->casing / 2;
+  case STROKE_LINE:
+  case STROKE_RING:
+    return style->width / 2 + style->halo_width;
+  case STROKE_MARK:
+    return brush_mark_reach (style) + style->width;
+  case STROKE_REGION:
+    break;
+  }
+  return 0;
+}
+
+void
+stroke_end (Drawing *drawing)
+{
+  Stroke *stroke = &drawing->strokes[drawing->n_strokes - 1];
+  const Pixel *pixels = &drawing->pixels[stroke->first];
+  const double reach = 1 + reach_of (drawing, stroke);
+  Pixel low, high;
+  uint32_t i;
+
+  if (stroke->n == 0) {
+    drawing->n_strokes -= 1;
+    return;
+  }
+  low = high = pixels[0];
+  for (i = 1; i < stroke->n; i++) {
+    low.x = fmin (low.x, pixels[i].x);
+    low.y = fmin (low.y, pixels[i].y);
+    high.x = fmax (high.x, pixels[i].x);
+    high.y = fmax (high.y, pixels[i].y);
+  }
+  stroke->box = (PixelBox){ (float)(low.x - reach), (float)(low.y - reach),
+                            (float)(high.x + reach), (float)(high.y + reach) };
+}

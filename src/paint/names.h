@@ -1,0 +1,50 @@
+/* Names: the texts beside marks, set in type once and painted often. */
+#ifndef NAMES_H
+#define NAMES_H
+
+#include "clip.h"
+#include "theme.h"
+
+#include <cairo.h>
+
+typedef enum NameFace {
+  NAME_PLAIN,
+  NAME_APEX,  /* larger and bold */
+  NAME_FACET, /* oblique */
+} NameFace;
+
+/* Width of the stroke round the letters in the colour of the background. */
+#define NAME_CASING 4.0
+
+typedef struct Names Names;
+
+typedef struct NameSize {
+  double width, height; /* of the ink, px */
+} NameSize;
+
+/* A name as pixels that a painter puts on its surface: coverage, 8 bits. */
+typedef struct NameMask {
+  int x, y; /* its corner, device pixels from the corner of the ink */
+  int width, height, stride;
+  const unsigned char *casing, *letters; /* both of this size */
+} NameMask;
+
+Names *names_new (void);
+void names_free (Names *names);
+
+/* Names are set for @theme from now on. When the theme is another, or there
+ * are too many names, all are forgotten and their numbers too. */
+void names_begin (Names *names, const Theme *theme);
+
+/* Returns: the number of a name; the same for the same text and face. */
+uint32_t names_find (Names *names, const char *text, NameFace face);
+NameSize names_size (const Names *names, uint32_t name);
+
+/* Adds the outlines of a name to the path of @cr, the upper left corner of
+ * its ink at @at. */
+void names_trace (Names *names, uint32_t name, cairo_t *cr, Pixel at);
+
+/* Returns: the name at so many device pixels per px, borrowed. */
+const NameMask *names_mask (Names *names, uint32_t name, double scale);
+
+#endif

@@ -1,0 +1,114 @@
+#include "thin-line.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* A line whose columns are painted; of a steep one they are rows. */
+typedef struct ThinLine {
+  const PixelGrid *grid;
+  int along, across;         /* from a pixel to the next one, in pixels */
+  int first, end, low, high; /* the clip along and across */
+  float start, stop;         /* along, start < stop */
+  float at_start, slope;     /* across */
+  float half;                /* width, across */
+  float dash, period, pace;  /* length of the line per column */
+  float phase;               /* of the dashes at start; they may run back */
+  uint32_t colour;
+} ThinLine;
+
+/* How much of the column from @from to @to is dash, 0 … 1. */
+static float
+dash_part (const ThinLine *line, float from, float to)
+{
+  const float a = line->phase + (from - line->start) * line->pace;
+  const float b = line->phase + (to - line->start) * line->pace;
+  const float low = a < b ? a : b, high = a < b ? b : a;
+  const float turn = floorf (low / line->period) * line->period;
+  float sum = 0, at;
+
+  for (at = turn; at < high; at += line->period) {
+    const float first = at > low ? at : low;
+    const float last = at + line->dash < high ? at + line->dash : high;
+
+    sum += last > first ? last - first : 0;
+  }
+  return high > low ? sum / (high - low) : 0;
+}
+
+static void
+paint_column (const ThinLine *line, int column, float part)
+{
+  const float from = (float)column > line->start ? (float)column : line->start;
+  const float to
+      = (float)(column + 1) < line->stop ? (float)(column + 1) : line->stop;
+  const float middle
+      = line->at_start + ((from + to) / 2 - line->start) * line->slope;
+  const float low = middle - line->half, high = middle + line->half;
+  const int first = (int)floorf (low);
+  uint32_t *pixel = line->grid->pixels + (ptrdiff_t)column * line->along
+                    + (ptrdiff_t)first * line->across;
+  int row;
+
+  for (row = first; (float)row < high; row++, pixel += line->across) {
+    const float top = (float)row > low ? (float)row : low;
+    const float bottom = (float)(row + 1) < high ? (float)(row + 1) : high;
+    const int k = (int)(part * (to - from) * (bottom - top) * 256 + 0.5F);
+
+    if (k > 0 && row >= line->low && row < line->high)
+      *pixel = pixel_over (*pixel, pixel_scale (line->colour, (uint32_t)k));
+  }
+}
+
+static void
+paint (const ThinLine *line)
+{
+  const int from = (int)floorf (line->start);
+  const int column = from > line->first ? from : line->first;
+  int i;
+
+  for (i = column; i < line->end && (float)i < line->stop; i++) {
+    const float low = (float)i > line->start ? (float)i : line->start;
+    const float high
+        = (float)(i + 1) < line->stop ? (float)(i + 1) : line->stop;
+    const float part = line->period > 0 ? dash_part (line, low, high) : 1;
+
+    if (part > 0)
+      paint_column (line, i, part);
+  }
+}
+
+void
+thin_line (const PixelGrid *grid,
+           const Pixel ends[2],
+           const Widening *widening,
+           uint32_t colour)
+{
+  const double dx = ends[1].x - ends[0].x, dy = ends[1].y - ends[0].y;
+  const double length = sqrt (dx * dx + dy * dy);
+  const bool is_steep = fabs (dy) > fabs (dx);
+  const double run = is_steep ? dy : dx, rise = is_steep ? dx : dy;
+  const Pixel *a = run > 0 ? &ends[0] : &ends[1];
+  const Pixel *b = run > 0 ? &ends[1] : &ends[0];
+  const PixelClip *clip = &grid->clip;
+  ThinLine line = { .grid = grid, .colour = colour };
+
+  if (!(length > 0))
+    return;
+  line.along = is_steep ? grid->stride : 1;
+  line.across = is_steep ? 1 : grid->stride;
+  line.first = is_steep ? clip->top : clip->left;
+  line.end = is_steep ? clip->bottom : clip->right;
+  line.low = is_steep ? clip->left : clip->top;
+  line.high = is_steep ? clip->right : clip->bottom;
+  line.start = (float)(is_steep ? a->y : a->x);
+  line.stop = (float)(is_steep ? b->y : b->x);
+  line.at_start = (float)(is_steep ? a->x : a->y);
+  line.slope = (float)(rise / run);
+  line.half = (float)(widening->width / 2 * length / fabs (run));
+  line.dash = (float)widening->dash;
+  if (widening->dash > 0)
+    line.period = (float)(widening->dash + widening->gap);
+  line.pace = (float)(length / run);
+  line.phase = run > 0 ? 0 : (float)length;
+  paint (&line);
+}
