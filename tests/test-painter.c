@@ -1,75 +1,10 @@
-/* The painter against pictures that were looked at. A picture that differs
- * leaves NAME-out.png and NAME-diff.png in the working directory.
+/* The painter against pictures that were looked at.
  * HULL2VD_RENEW_IMAGES=1 writes the reference pictures anew. */
-#include "picture.h"
-
-#include "fixture.h"
 #include "label.h"
+#include "look-case.h"
 
 #include <math.h>
 #include <string.h>
-
-/* A channel may differ by so much (of 255), and so many pixels in a thousand
- * by more: room for another version of the font or of cairo's edges. */
-#define CHANNEL_TOLERANCE 40
-#define PER_THOUSAND 4
-
-typedef struct Case {
-  const char *name; /* of the reference: NAME-plane-ref.png, NAME-space… */
-  const char *sites;
-  Place place;
-  uint32_t layers; /* more than the default ones */
-  Object selection;
-  ThemeKind theme;
-} Case;
-
-static const Case cases[] = {
-  { .name = "lecture8-start", .sites = "lecture8" },
-  { "lecture8-choose", "lecture8", { 1, PHASE_CHOOSE }, 0, { 0 }, THEME_LIGHT },
-  { "lecture8-see", "lecture8", { 4, PHASE_SEE }, 0, { 0 }, THEME_LIGHT },
-  { "lecture8-horizon",
-    "lecture8",
-    { 3, PHASE_HORIZON },
-    0,
-    { 0 },
-    THEME_LIGHT },
-  { "lecture8-cone", "lecture8", { 4, PHASE_CONE }, 0, { 0 }, THEME_LIGHT },
-  { "lecture8-hand-over",
-    "lecture8",
-    { 4, PHASE_HAND_OVER },
-    0,
-    { 0 },
-    THEME_LIGHT },
-  { "lecture8-selected",
-    "lecture8",
-    { 0, PHASE_COMPLETE },
-    LAYER_CIRCLES,
-    { OBJECT_FACET, 17 },
-    THEME_LIGHT },
-  { "mixed8-see-upper", "mixed8", { 2, PHASE_SEE }, 0, { 0 }, THEME_LIGHT },
-  { "mixed8-cone-both", "mixed8", { 4, PHASE_CONE }, 0, { 0 }, THEME_LIGHT },
-  { "grid9-end",
-    "grid9",
-    { 0, PHASE_COMPLETE },
-    0,
-    { OBJECT_SITE, 4 },
-    THEME_LIGHT },
-  { "square4-end", "square4", { 0, PHASE_COMPLETE }, 0, { 0 }, THEME_LIGHT },
-#define THEME_CASES(name, theme)                                               \
-  { name "-see", "lecture8", { 4, PHASE_SEE }, 0, { 0 }, theme },              \
-      { name "-selected", "lecture8",           { 0, PHASE_COMPLETE },         \
-        LAYER_CIRCLES,    { OBJECT_FACET, 17 }, theme },                       \
-  {                                                                            \
-    name "-cone", "mixed8", { 4, PHASE_CONE }, 0, { 0 }, theme                 \
-  }
-  THEME_CASES ("paper", THEME_PAPER),
-  THEME_CASES ("projector", THEME_PROJECTOR),
-  THEME_CASES ("dark", THEME_DARK),
-  THEME_CASES ("print", THEME_PRINT),
-  THEME_CASES ("contrast", THEME_CONTRAST),
-};
-
-#define N_CASES (sizeof cases / sizeof cases[0])
 
 static const unsigned char *
 row_of (cairo_surface_t *surface, int y)
@@ -78,120 +13,33 @@ row_of (cairo_surface_t *surface, int y)
          + (gsize)y * (gsize)cairo_image_surface_get_stride (surface);
 }
 
-static int
-channel_difference (const unsigned char *a, const unsigned char *b)
-{
-  int k, most = 0;
-
-  for (k = 0; k < 3; k++)
-    most = MAX (most, ABS (a[k] - b[k]));
-  return most;
-}
-
-/* Returns: the number of pixels that differ; they are black in @diff, the
- *          others a paler picture. */
-static int
-compare (cairo_surface_t *out, cairo_surface_t *ref, cairo_surface_t *diff)
-{
-  const int width = cairo_image_surface_get_width (out);
-  const int height = cairo_image_surface_get_height (out);
-  int x, y, n = 0;
-
-  cairo_surface_flush (diff);
-  for (y = 0; y < height; y++)
-    for (x = 0; x < width; x++) {
-      const unsigned char *a = row_of (out, y) + 4 * x;
-      const unsigned char *b = row_of (ref, y) + 4 * x;
-      unsigned char *to = (unsigned char *)row_of (diff, y) + 4 * x;
-      const gboolean differs = channel_difference (a, b) > CHANNEL_TOLERANCE;
-      int k;
-
-      n += differs;
-      for (k = 0; k < 3; k++)
-        to[k] = differs ? 0 : (unsigned char)(192 + a[k] / 4);
-    }
-  cairo_surface_mark_dirty (diff);
-  return n;
-}
-
-static cairo_surface_t *
-paint_case (const Case *what, PictureView view)
-{
-  g_autoptr (Fixture) fixture = fixture_load (what->sites, ORDER_FURTHEST);
-  cairo_surface_t *surface
-      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 420, 420);
-  cairo_t *cr = cairo_create (surface);
-  Picture picture;
-  uint32_t step;
-  Frame frame;
-
-  g_assert_true (timeline_find (fixture->trace, what->place, false, &step));
-  frame_init (&frame, fixture->trace, step);
-  picture_init (&picture, view, &frame);
-  picture.width = picture.height = 420;
-  picture.theme = theme_get (what->theme);
-  picture.look.layers |= what->layers;
-  picture.look.selection = what->selection;
-  picture_paint (&picture, &frame, cr);
-  cairo_destroy (cr);
-  cairo_surface_flush (surface);
-  frame_clear (&frame);
-  return surface;
-}
-
 static void
-check_picture (const Case *what, PictureView view, const char *suffix)
+check_all (PictureView view)
 {
-  g_autofree char *name = g_strconcat (what->name, suffix, NULL);
-  g_autofree char *path = fixture_path ("images", name, "-ref.png");
-  cairo_surface_t *out = paint_case (what, view);
-  cairo_surface_t *ref, *diff;
-  int n, n_allowed;
+  guint i;
 
-  if (g_getenv ("HULL2VD_RENEW_IMAGES") != NULL) {
-    g_assert_cmpint (cairo_surface_write_to_png (out, path), ==,
-                     CAIRO_STATUS_SUCCESS);
+  for (i = 0; i < look_n_cases; i++) {
+    cairo_surface_t *out = look_paint (&look_cases[i], view);
+    g_autofree char *path = look_path (&look_cases[i], view);
+
+    if (g_getenv ("HULL2VD_RENEW_IMAGES") != NULL)
+      g_assert_cmpint (cairo_surface_write_to_png (out, path), ==,
+                       CAIRO_STATUS_SUCCESS);
+    look_check_case (&look_cases[i], view, "", out, LOOK_SAME);
     cairo_surface_destroy (out);
-    return;
   }
-  ref = cairo_image_surface_create_from_png (path);
-  if (cairo_surface_status (ref) != CAIRO_STATUS_SUCCESS)
-    g_error ("%s cannot be read", path);
-  g_assert_cmpint (cairo_image_surface_get_width (ref), ==, 420);
-  g_assert_cmpint (cairo_image_surface_get_height (ref), ==, 420);
-  diff = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 420, 420);
-  n = compare (out, ref, diff);
-  n_allowed = 420 * 420 * PER_THOUSAND / 1000;
-  if (n > n_allowed) {
-    g_autofree char *out_name = g_strconcat (name, "-out.png", NULL);
-    g_autofree char *diff_name = g_strconcat (name, "-diff.png", NULL);
-
-    cairo_surface_write_to_png (out, out_name);
-    cairo_surface_write_to_png (diff, diff_name);
-    g_error ("%s: %d pixels differ, %d may; see %s", name, n, n_allowed,
-             diff_name);
-  }
-  cairo_surface_destroy (diff);
-  cairo_surface_destroy (ref);
-  cairo_surface_destroy (out);
 }
 
 static void
 test_plane (void)
 {
-  size_t i;
-
-  for (i = 0; i < N_CASES; i++)
-    check_picture (&cases[i], PICTURE_PLANE, "-plane");
+  check_all (PICTURE_PLANE);
 }
 
 static void
 test_space (void)
 {
-  size_t i;
-
-  for (i = 0; i < N_CASES; i++)
-    check_picture (&cases[i], PICTURE_SPACE, "-space");
+  check_all (PICTURE_SPACE);
 }
 
 /* The reference pictures are apart enough for the comparison to tell them:
@@ -199,14 +47,14 @@ test_space (void)
 static void
 test_compare (void)
 {
-  cairo_surface_t *see = paint_case (&cases[2], PICTURE_PLANE);
-  cairo_surface_t *cone = paint_case (&cases[4], PICTURE_PLANE);
+  cairo_surface_t *see = look_paint (&look_cases[2], PICTURE_PLANE);
+  cairo_surface_t *cone = look_paint (&look_cases[4], PICTURE_PLANE);
   cairo_surface_t *diff
-      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 420, 420);
+      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, LOOK_SIDE, LOOK_SIDE);
 
-  g_assert_cmpint (compare (see, cone, diff), >,
-                   420 * 420 * PER_THOUSAND / 1000);
-  g_assert_cmpint (compare (see, see, diff), ==, 0);
+  g_assert_cmpuint (look_compare (see, cone, 1, diff), >,
+                    LOOK_SIDE * LOOK_SIDE * LOOK_PER_THOUSAND / 1000);
+  g_assert_cmpuint (look_compare (see, see, 0, diff), ==, 0);
   cairo_surface_destroy (diff);
   cairo_surface_destroy (cone);
   cairo_surface_destroy (see);

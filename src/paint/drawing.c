@@ -8,11 +8,11 @@
 #include <string.h>
 
 Drawing *
-drawing_new (void)
+drawing_new (Names *names)
 {
   Drawing *drawing = memory_new (1, sizeof *drawing);
 
-  drawing->names = names_new ();
+  drawing->names = names;
   return drawing;
 }
 
@@ -25,7 +25,6 @@ drawing_free (Drawing *drawing)
   free (drawing->pixels);
   free (drawing->styles);
   free (drawing->placed);
-  names_free (drawing->names);
   free (drawing);
 }
 

@@ -3,7 +3,8 @@
  * front half makes it for all painters: cairo (drawing-cairo.c), the raster of
  * the screen (raster.h) and GL (gl-painter.h).
  *
- *   Drawing *drawing = drawing_new ();
+ *   Names *names = names_new ();
+ *   Drawing *drawing = drawing_new (names);
  *
  *   drawing_set (drawing, &scene, &projection, theme);
  *   drawing_to_cairo (drawing, cr);
@@ -58,12 +59,13 @@ typedef struct Drawing {
   uint32_t n_styles, styles_room;
   PlacedName *placed;
   uint32_t n_placed, placed_room;
-  Names *names;         /* kept from one scene to the next */
+  Names *names;         /* borrowed; kept from one scene to the next */
+  uint32_t edition;     /* of the names; numbers of another one are void */
   const Theme *theme;   /* borrowed */
   double width, height; /* px */
 } Drawing;
 
-Drawing *drawing_new (void);
+Drawing *drawing_new (Names *names);
 void drawing_free (Drawing *drawing);
 
 /* Draws @scene anew; the room of the last one is used again.
@@ -73,6 +75,12 @@ void drawing_set (Drawing *drawing,
                   const Scene *scene,
                   const Projection *projection,
                   const Theme *theme);
+
+/* Returns: (transfer full): where two drawings of one size and theme differ,
+ *          in device pixels, @scale to a px; elsewhere they have the same
+ *          pixels. Their names must be of the same Names. */
+cairo_region_t *
+drawing_compare (const Drawing *before, const Drawing *after, double scale);
 
 /* Paints strokes and names, without a background. */
 void drawing_to_cairo (const Drawing *drawing, cairo_t *cr);

@@ -20,6 +20,7 @@ typedef struct Name {
 struct Names {
   char *font; /* of the theme that the names are set for */
   double text_px;
+  uint32_t edition;
   PangoLayout *layout;
   GArray *names;
   GHashTable *numbers; /* text with its face as the first letter → number + 1 */
@@ -76,17 +77,18 @@ names_free (Names *names)
   g_free (names);
 }
 
-void
+uint32_t
 names_begin (Names *names, const Theme *theme)
 {
   if (g_strcmp0 (theme->font, names->font) == 0
       && theme->text_px == names->text_px && names->names->len < N_NAMES_MOST)
-    return;
+    return names->edition;
   g_free (names->font);
   names->font = g_strdup (theme->font);
   names->text_px = theme->text_px;
   g_hash_table_remove_all (names->numbers);
   g_array_set_size (names->names, 0);
+  return ++names->edition;
 }
 
 static void

@@ -32,9 +32,11 @@ typedef struct NameMask {
 Names *names_new (void);
 void names_free (Names *names);
 
-/* Names are set for @theme from now on. When the theme is another, or there
- * are too many names, all are forgotten and their numbers too. */
-void names_begin (Names *names, const Theme *theme);
+/* Names are set for @theme from now on. When its type is another, or there
+ * are too many names, all are forgotten and their numbers void.
+ *
+ * Returns: the edition, which is another whenever this happens. */
+uint32_t names_begin (Names *names, const Theme *theme);
 
 /* Returns: the number of a name; the same for the same text and face. */
 uint32_t names_find (Names *names, const char *text, NameFace face);

@@ -186,9 +186,9 @@ shaded (const Painter *painter, const SceneItem *item, Colour fill)
 static void
 add_corners (Painter *painter, const SceneItem *item)
 {
-  const uint32_t n = clip_polygon (
-      painter->projection, &painter->scene->points[item->first], item->n,
-      PAINTER_MARGIN, painter->corners);
+  const uint32_t n
+      = clip_polygon (painter->projection, &painter->scene->points[item->first],
+                      item->n, PAINTER_MARGIN, painter->corners);
   uint32_t i;
 
   for (i = 0; i < n; i++)
@@ -367,7 +367,7 @@ drawing_begin (Drawing *drawing,
   drawing->theme = theme;
   drawing->width = projection->width;
   drawing->height = projection->height;
-  names_begin (drawing->names, theme);
+  drawing->edition = names_begin (drawing->names, theme);
 }
 
 void
@@ -411,7 +411,8 @@ painter_paint (cairo_t *cr,
                const Theme *theme,
                PainterFlags flags)
 {
-  Drawing *drawing = drawing_new ();
+  Names *names = names_new ();
+  Drawing *drawing = drawing_new (names);
 
   drawing_set (drawing, scene, projection, theme);
   cairo_save (cr);
@@ -424,4 +425,5 @@ painter_paint (cairo_t *cr,
   drawing_to_cairo (drawing, cr);
   cairo_restore (cr);
   drawing_free (drawing);
+  names_free (names);
 }

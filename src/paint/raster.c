@@ -209,6 +209,8 @@ paint_region (Raster *raster,
               const Drawing *drawing,
               const cairo_region_t *region)
 {
+  const int width = raster->hands[0].coverage.width;
+  const int height = raster->hands[0].coverage.height;
   const int n = cairo_region_num_rectangles (region);
   g_autofree PixelClip *clips = g_new (PixelClip, MAX (n, 1));
   Work work = { drawing, clips, n, 0 };
@@ -218,8 +220,9 @@ paint_region (Raster *raster,
     cairo_rectangle_int_t part;
 
     cairo_region_get_rectangle (region, i, &part);
-    clips[i] = (PixelClip){ part.x, part.y, part.x + part.width,
-                            part.y + part.height };
+    clips[i] = (PixelClip){ MAX (part.x, 0), MAX (part.y, 0),
+                            MIN (part.x + part.width, width),
+                            MIN (part.y + part.height, height) };
     n_pixels += part.width * part.height;
   }
   paint_clips (raster, &work, n_pixels > MANY_PIXELS);

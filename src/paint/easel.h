@@ -1,0 +1,36 @@
+/* An easel holds the picture of one view on the screen and keeps it up to
+ * date: only what has changed is painted again, with the same pixels as if all
+ * were.
+ *
+ *   Easel *easel = easel_new ();
+ *   cairo_region_t *region;
+ *
+ *   region = easel_paint (easel, &scene, &projection, theme, 1);
+ *   … easel_get_surface (easel) …
+ */
+#ifndef EASEL_H
+#define EASEL_H
+
+#include "theme.h"
+
+#include <cairo.h>
+
+typedef struct Easel Easel;
+
+Easel *easel_new (void);
+void easel_free (Easel *easel);
+
+/* Brings the picture up to date, at @scale device pixels to a px.
+ *
+ * Returns: (transfer full): what of it has changed, in device pixels. */
+cairo_region_t *easel_paint (Easel *easel,
+                             const Scene *scene,
+                             const Projection *projection,
+                             const Theme *theme,
+                             double scale);
+
+/* Returns: the picture, borrowed, until the next one is painted; NULL before
+ *          the first. */
+cairo_surface_t *easel_get_surface (Easel *easel);
+
+#endif

@@ -1,0 +1,414 @@
+#include "gl-batch.h"
+
+#include "brush.h"
+#include "memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void
+gl_batch_clear (GlBatch *batch)
+{
+  free (batch->vertices);
+  free (batch->indices);
+  memset (batch, 0, sizeof *batch);
+}
+
+static unsigned char
+channel (double value, double alpha)
+{
+  return (unsigned char)(255 * value * alpha + 0.5);
+}
+
+void
+gl_batch_add (GlBatch *batch, const GlInk *ink, Pixel at, const float local[3])
+{
+  const Colour colour = ink->colour;
+  const double alpha = fmin (fmax (colour.alpha, 0), 1);
+
+  if (batch->n_vertices == batch->vertices_room)
+    batch->vertices
+        = memory_grow (batch->vertices, &batch->vertices_room,
+                       batch->n_vertices + 1, sizeof *batch->vertices);
+  batch->vertices[batch->n_vertices++] = (GlVertex){
+    .at = { (float)at.x, (float)at.y },
+    .local = { local[0], local[1], local[2] },
+    .shape = { ink->shape[0], ink->shape[1], ink->shape[2], (float)ink->kind },
+    .colour = { channel (colour.red, alpha), channel (colour.green, alpha),
+                channel (colour.blue, alpha), channel (alpha, 1) },
+  };
+}
+
+void
+gl_batch_join (GlBatch *batch, uint32_t n)
+{
+  const uint32_t first = batch->n_vertices - n;
+  uint32_t i;
+
+  if (n < 3)
+    return;
+  if (batch->n_indices + 3 * (n - 2) > batch->indices_room)
+    batch->indices
+        = memory_grow (batch->indices, &batch->indices_room,
+                       batch->n_indices + 3 * (n - 2), sizeof *batch->indices);
+  for (i = 1; i + 1 < n; i++) {
+    batch->indices[batch->n_indices++] = first;
+    batch->indices[batch->n_indices++] = first + i;
+    batch->indices[batch->n_indices++] = first + i + 1;
+  }
+}
+
+static void
+add_polygon (GlBatch *batch,
+             const GlInk *ink,
+             const Pixel *corners,
+             uint32_t n,
+             float step)
+{
+  uint32_t i;
+
+  for (i = 0; i < n; i++) {
+    const float local[3] = { (float)corners[i].x, (float)corners[i].y, step };
+
+    gl_batch_add (
+        batch, ink,
+        (Pixel){ corners[i].x * batch->scale, corners[i].y * batch->scale },
+        local);
+  }
+  gl_batch_join (batch, n);
+}
+
+static void
+fill_polygon (GlBatch *batch, const Pixel *corners, uint32_t n, Colour colour)
+{
+  const GlInk ink = { .colour = colour, .kind = GL_KIND_FLAT };
+
+  if (colour.alpha > 0)
+    add_polygon (batch, &ink, corners, n, 0);
+}
+
+/* The shader draws the strokes, in px: their places are those of the other
+ * painters, whole multiples of the step. */
+static void
+hatch_polygon (GlBatch *batch,
+               const Style *style,
+               const Pixel *corners,
+               uint32_t n)
+{
+  HatchDirection directions[2];
+  const int n_directions
+      = brush_hatch_directions (style, batch->theme, directions);
+  const double width = BRUSH_HATCH_WIDTH * batch->theme->line_factor;
+  int i;
+
+  for (i = 0; i < n_directions; i++) {
+    const HatchDirection *direction = &directions[i];
+    const GlInk ink
+        = { .colour = style->line,
+            .shape = { (float)direction->normal[0], (float)direction->normal[1],
+                       (float)(width / 2) },
+            .kind = GL_KIND_HATCH };
+
+    add_polygon (batch, &ink, corners, n, (float)direction->step);
+  }
+}
+
+static Colour
+faded (Colour colour, double alpha)
+{
+  colour.alpha *= alpha;
+  return colour;
+}
+
+static GlLine
+line_of (const GlBatch *batch, const Style *style)
+{
+  return (GlLine){ .colour = style->line,
+                   .width = style->width * batch->scale,
+                   .dash = style->dash * batch->scale,
+                   .gap = style->gap * batch->scale,
+                   .has_round_ends = brush_has_round_ends (style) };
+}
+
+static void
+add_line (GlBatch *batch,
+          const Style *style,
+          const Pixel *pixels,
+          uint32_t n,
+          bool is_closed)
+{
+  GlLine line = line_of (batch, style);
+
+  line.is_closed = is_closed;
+  if (style->halo.alpha > 0) {
+    GlLine halo = line;
+
+    halo.colour = faded (style->halo, BRUSH_HALO_ALPHA);
+    halo.width += 2 * style->halo_width * batch->scale;
+    halo.dash = 0;
+    gl_batch_line (batch, &halo, pixels, n);
+  }
+  gl_batch_line (batch, &line, pixels, n);
+}
+
+static void
+add_casing (GlBatch *batch, const Style *style, const Pixel *pixels, uint32_t n)
+{
+  const GlLine casing = { .colour = batch->theme->background,
+                          .width = style->casing * batch->scale,
+                          .has_round_ends = true };
+
+  gl_batch_line (batch, &casing, pixels, n);
+}
+
+static void
+add_halo (GlBatch *batch, const Style *style, const Pixel *corners, uint32_t n)
+{
+  const GlLine outline
+      = { .colour = style->halo,
+          .width = BRUSH_HALO_OUTLINE * style->halo_width * batch->scale,
+          .is_closed = true };
+
+  fill_polygon (batch, corners, n, faded (style->halo, BRUSH_HALO_FILL_ALPHA));
+  gl_batch_line (batch, &outline, corners, n);
+}
+
+static void
+add_area (GlBatch *batch,
+          const Style *style,
+          const Stroke *stroke,
+          const Pixel *corners)
+{
+  fill_polygon (batch, corners, stroke->n, stroke->fill);
+  if (style->line.alpha > 0)
+    hatch_polygon (batch, style, corners, stroke->n);
+  if (style->halo.alpha > 0)
+    add_halo (batch, style, corners, stroke->n);
+  if (style->width > 0 && style->line.alpha > 0)
+    add_line (batch, style, corners, stroke->n, true);
+}
+
+/* Regions */
+
+/* Cuts the convex polygon @corners along the line from @a to @b: what lies
+ * left of it into @left, what lies right into @right, each with room for
+ * n + 2. */
+static void
+cut (const Pixel *corners,
+     uint32_t n,
+     const Pixel line[2],
+     Pixel *sides[2],
+     uint32_t n_sides[2])
+{
+  const double dx = line[1].x - line[0].x, dy = line[1].y - line[0].y;
+  uint32_t i;
+
+  n_sides[0] = n_sides[1] = 0;
+  for (i = 0; i < n; i++) {
+    const Pixel p = corners[i], q = corners[i + 1 < n ? i + 1 : 0];
+    const double from = dx * (p.y - line[0].y) - dy * (p.x - line[0].x);
+    const double to = dx * (q.y - line[0].y) - dy * (q.x - line[0].x);
+
+    if (from >= 0)
+      sides[0][n_sides[0]++] = p;
+    if (from <= 0)
+      sides[1][n_sides[1]++] = p;
+    if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
+      const double part = from / (from - to);
+      const Pixel here = { p.x + part * (q.x - p.x), p.y + part * (q.y - p.y) };
+
+      sides[0][n_sides[0]++] = here;
+      sides[1][n_sides[1]++] = here;
+    }
+  }
+}
+
+/* Twice the area, positive when the ring turns as angles grow. */
+static double
+turn_of (const Pixel *ring, uint32_t n)
+{
+  double sum = 0;
+  uint32_t i;
+
+  for (i = 0; i < n; i++) {
+    const Pixel p = ring[i], q = ring[i + 1 < n ? i + 1 : 0];
+
+    sum += p.x * q.y - p.y * q.x;
+  }
+  return sum;
+}
+
+/* What lies in the outer ring and not in the inner one, in convex pieces: each
+ * edge of the inner ring cuts off what lies beyond it. */
+static void
+add_region (GlBatch *batch, const Stroke *stroke, const Pixel *pixels)
+{
+  const Pixel *inner = pixels + stroke->n_outer;
+  const uint32_t n_inner = stroke->n - stroke->n_outer;
+  const int outside = turn_of (inner, n_inner) > 0 ? 1 : 0;
+  Pixel *room = memory_new (3 * (stroke->n + 8), 2 * sizeof *room);
+  Pixel *rest = room, *sides[2];
+  uint32_t i, n_rest = stroke->n_outer, n_sides[2];
+
+  sides[0] = room + 2 * (stroke->n + 8);
+  sides[1] = sides[0] + 2 * (stroke->n + 8);
+  memcpy (rest, pixels, n_rest * sizeof *rest);
+  if (n_inner == 0)
+    fill_polygon (batch, rest, n_rest, stroke->fill);
+  for (i = 0; i < n_inner && n_rest > 2; i++) {
+    const Pixel line[2] = { inner[i], inner[i + 1 < n_inner ? i + 1 : 0] };
+
+    cut (rest, n_rest, line, sides, n_sides);
+    fill_polygon (batch, sides[outside], n_sides[outside], stroke->fill);
+    n_rest = n_sides[!outside];
+    memcpy (rest, sides[!outside], n_rest * sizeof *rest);
+  }
+  free (room);
+}
+
+/* Marks */
+
+void
+gl_batch_disc (GlBatch *batch, Pixel at, const double radii[2], Colour colour)
+{
+  static const float corners[4][2]
+      = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+  const double reach = radii[1] * batch->scale + 1;
+  const GlInk ink = { .colour = colour,
+                      .shape = { (float)(radii[0] * batch->scale),
+                                 (float)(radii[1] * batch->scale), 0 },
+                      .kind = GL_KIND_DISC };
+  int i;
+
+  for (i = 0; i < 4; i++) {
+    const double x = corners[i][0] * reach, y = corners[i][1] * reach;
+    const float local[3] = { (float)x, (float)y, 0 };
+
+    gl_batch_add (batch, &ink,
+                  (Pixel){ at.x * batch->scale + x, at.y * batch->scale + y },
+                  local);
+  }
+  gl_batch_join (batch, 4);
+}
+
+static void
+fill_disc (GlBatch *batch, Pixel at, double radius, Colour colour)
+{
+  gl_batch_disc (batch, at, (double[2]){ -1, radius }, colour);
+}
+
+static void
+stroke_disc (GlBatch *batch, Pixel at, double radius, const Style *style)
+{
+  const double half = style->width / 2;
+
+  gl_batch_disc (batch, at, (double[2]){ radius - half, radius + half },
+                 style->line);
+}
+
+static void
+add_diamond (GlBatch *batch, const Style *style, Pixel at)
+{
+  const double r = style->radius;
+  const Pixel corners[4] = { { at.x, at.y - r },
+                             { at.x + r, at.y },
+                             { at.x, at.y + r },
+                             { at.x - r, at.y } };
+  const GlLine outline = { .colour = style->line,
+                           .width = style->width * batch->scale,
+                           .is_closed = true };
+
+  fill_polygon (batch, corners, 4, style->fill);
+  gl_batch_line (batch, &outline, corners, 4);
+}
+
+static void
+add_cross (GlBatch *batch, const Style *style, Pixel at)
+{
+  const double r = style->radius;
+  const Pixel falling[2] = { { at.x - r, at.y - r }, { at.x + r, at.y + r } };
+  const Pixel rising[2] = { { at.x - r, at.y + r }, { at.x + r, at.y - r } };
+  int i;
+
+  for (i = 0; i < 2; i++) {
+    const GlLine line
+        = { .colour = i == 0 ? style->fill : style->line,
+            .width = (style->width + (i == 0 ? 2 : 0)) * batch->scale,
+            .has_round_ends = true };
+
+    gl_batch_line (batch, &line, falling, 2);
+    gl_batch_line (batch, &line, rising, 2);
+  }
+}
+
+static void
+add_mark (GlBatch *batch, const Style *style, Pixel at)
+{
+  const double edge = brush_mark_reach (style);
+  const bool has_halo = style->halo.alpha > 0;
+
+  if (has_halo)
+    fill_disc (batch, at, edge, style->halo);
+  if (style->casing > 0)
+    fill_disc (batch, at, edge - (has_halo ? style->halo_width : 0),
+               batch->theme->background);
+  switch (style->mark) {
+  case MARK_NONE:
+    break;
+  case MARK_DOT:
+    fill_disc (batch, at, style->radius, style->line);
+    break;
+  case MARK_RINGED:
+    stroke_disc (batch, at, style->radius + style->ring_gap, style);
+    fill_disc (batch, at, style->radius, style->fill);
+    stroke_disc (batch, at, style->radius - 0.6, style);
+    break;
+  case MARK_HOLLOW:
+    fill_disc (batch, at, style->radius, style->fill);
+    stroke_disc (batch, at, style->radius, style);
+    break;
+  case MARK_DIAMOND:
+    add_diamond (batch, style, at);
+    break;
+  case MARK_CROSSED:
+    add_cross (batch, style, at);
+    break;
+  }
+}
+
+void
+gl_batch_set (GlBatch *batch, const Drawing *drawing, double scale)
+{
+  uint32_t i;
+
+  batch->n_vertices = batch->n_indices = 0;
+  batch->scale = scale;
+  batch->theme = drawing->theme;
+  for (i = 0; i < drawing->n_strokes; i++) {
+    const Stroke *stroke = &drawing->strokes[i];
+    const Pixel *pixels = &drawing->pixels[stroke->first];
+    const Style *style = &drawing->styles[stroke->style];
+
+    switch (stroke->kind) {
+    case STROKE_POLYGON:
+      add_area (batch, style, stroke, pixels);
+      break;
+    case STROKE_REGION:
+      add_region (batch, stroke, pixels);
+      break;
+    case STROKE_CASING:
+      add_casing (batch, style, pixels, stroke->n);
+      break;
+    case STROKE_LINE:
+      add_line (batch, style, pixels, stroke->n, false);
+      break;
+    case STROKE_RING:
+      add_line (batch, style, pixels, stroke->n, true);
+      break;
+    case STROKE_MARK:
+      add_mark (batch, style, pixels[0]);
+      break;
+    }
+  }
+}

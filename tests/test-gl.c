@@ -1,0 +1,207 @@
+/* The GL painter without a screen: its pictures of both views against those
+ * of cairo and against the references. Where there is no EGL it fails and says
+ * why. */
+#include "egl-context.h"
+#include "gl-painter.h"
+#include "look-case.h"
+
+/* A scene on its way through GL. */
+typedef struct Gl {
+  GlPainter *painter;
+  Names *names;
+  Drawing *drawing;
+} Gl;
+
+static void
+gl_init (Gl *gl, gboolean is_es)
+{
+  g_autoptr (GError) error = NULL;
+  const char *why = NULL;
+
+  if (!egl_context_make (is_es, &why))
+    g_error ("GL cannot be tested: %s", why);
+  gl->painter = gl_painter_new (&error);
+  g_assert_no_error (error);
+  gl->names = names_new ();
+  gl->drawing = drawing_new (gl->names);
+}
+
+static void
+gl_clear (Gl *gl)
+{
+  drawing_free (gl->drawing);
+  names_free (gl->names);
+  gl_painter_free (gl->painter);
+  egl_context_drop ();
+}
+
+/* Returns: (transfer full): the picture of a scene. */
+static cairo_surface_t *
+gl_paint (Gl *gl, const LookScene *look, const Theme *theme, GlTarget target)
+{
+  const int side = (int)(LOOK_SIDE * target.scale);
+  g_autoptr (GError) error = NULL;
+  cairo_surface_t *surface;
+
+  target.framebuffer = egl_framebuffer_new (side, side);
+  drawing_set (gl->drawing, &look->scene, &look->projection, theme);
+  gl_painter_paint (gl->painter, gl->drawing, &target, &error);
+  g_assert_no_error (error);
+  surface = egl_read (target.framebuffer, side, side);
+  egl_framebuffer_free (target.framebuffer);
+  return surface;
+}
+
+static const GlTarget fine = { .scale = 1 };
+
+static void
+check_case (Gl *gl, const LookCase *what, PictureView view, const char *by)
+{
+  const char *end = view == PICTURE_PLANE ? "plane" : "space";
+  g_autofree char *name
+      = g_strdup_printf ("%s-%s%s-cairo", what->name, end, by);
+  cairo_surface_t *cairo = look_paint (what, view), *out;
+  LookScene look;
+
+  look_scene_init (&look, what, view);
+  out = gl_paint (gl, &look, look.theme, fine);
+  look_check_case (what, view, by, out, LOOK_ALIKE);
+  look_check (name, out, cairo, LOOK_ALIKE);
+  look_scene_clear (&look);
+  cairo_surface_destroy (cairo);
+  cairo_surface_destroy (out);
+}
+
+static void
+check_cases (gboolean is_es, guint every, const char *by)
+{
+  Gl gl;
+
+  gl_init (&gl, is_es);
+  for (guint i = 0; i < look_n_cases; i += every) {
+    check_case (&gl, &look_cases[i], PICTURE_PLANE, by);
+    check_case (&gl, &look_cases[i], PICTURE_SPACE, by);
+  }
+  gl_clear (&gl);
+}
+
+static void
+test_pictures (void)
+{
+  check_cases (FALSE, 1, "-gl");
+}
+
+static void
+test_es (void)
+{
+  check_cases (TRUE, 4, "-gles");
+}
+
+/* Print has every hatch, the others every colour. */
+static void
+test_themes (void)
+{
+  Gl gl;
+
+  gl_init (&gl, FALSE);
+  for (int kind = 0; kind < N_THEMES; kind++) {
+    const Theme *theme = theme_get ((ThemeKind)kind);
+    g_autofree char *name = g_strconcat (theme->name, "-gl", NULL);
+    cairo_surface_t *ref
+        = cairo_image_surface_create (CAIRO_FORMAT_RGB24, LOOK_SIDE, LOOK_SIDE);
+    cairo_t *cr = cairo_create (ref);
+    cairo_surface_t *out;
+    LookScene look;
+
+    look_scene_init (&look, &look_cases[8], PICTURE_SPACE);
+    painter_paint (cr, &look.scene, &look.projection, theme, 0);
+    cairo_destroy (cr);
+    cairo_surface_flush (ref);
+    out = gl_paint (&gl, &look, theme, fine);
+    look_check (name, out, ref, LOOK_ALIKE);
+    look_scene_clear (&look);
+    cairo_surface_destroy (out);
+    cairo_surface_destroy (ref);
+  }
+  gl_clear (&gl);
+}
+
+/* While something moves only the edges of areas are rougher. */
+static void
+test_rough (void)
+{
+  const GlTarget rough = { .scale = 1, .is_rough = TRUE };
+  Gl gl;
+
+  gl_init (&gl, FALSE);
+  for (guint i = 0; i < look_n_cases; i += 3) {
+    g_autofree char *name
+        = g_strconcat (look_cases[i].name, "-space-rough", NULL);
+    cairo_surface_t *cairo = look_paint (&look_cases[i], PICTURE_SPACE), *out;
+    LookScene look;
+
+    look_scene_init (&look, &look_cases[i], PICTURE_SPACE);
+    out = gl_paint (&gl, &look, look.theme, rough);
+    look_check (name, out, cairo, LOOK_ALIKE);
+    look_scene_clear (&look);
+    cairo_surface_destroy (cairo);
+    cairo_surface_destroy (out);
+  }
+  gl_clear (&gl);
+}
+
+static void
+test_scale (void)
+{
+  const GlTarget twice = { .scale = 2 };
+  cairo_surface_t *ref = cairo_image_surface_create (
+      CAIRO_FORMAT_RGB24, 2 * LOOK_SIDE, 2 * LOOK_SIDE);
+  cairo_t *cr = cairo_create (ref);
+  cairo_surface_t *out;
+  LookScene look;
+  Gl gl;
+
+  gl_init (&gl, FALSE);
+  look_scene_init (&look, &look_cases[6], PICTURE_SPACE);
+  cairo_scale (cr, 2, 2);
+  painter_paint (cr, &look.scene, &look.projection, look.theme, 0);
+  cairo_destroy (cr);
+  cairo_surface_flush (ref);
+  out = gl_paint (&gl, &look, look.theme, twice);
+  look_check ("scale-2-gl", out, ref, LOOK_ALIKE);
+  look_scene_clear (&look);
+  cairo_surface_destroy (out);
+  cairo_surface_destroy (ref);
+  gl_clear (&gl);
+}
+
+/* A framebuffer that does not exist is an error, not a blank picture. */
+static void
+test_failure (void)
+{
+  g_autoptr (GError) error = NULL;
+  const GlTarget nowhere = { .framebuffer = 4711, .scale = 1 };
+  LookScene look;
+  Gl gl;
+
+  gl_init (&gl, FALSE);
+  look_scene_init (&look, &look_cases[0], PICTURE_SPACE);
+  drawing_set (gl.drawing, &look.scene, &look.projection, look.theme);
+  g_assert_false (gl_painter_paint (gl.painter, gl.drawing, &nowhere, &error));
+  g_assert_error (error, GL_PAINTER_ERROR, GL_PAINTER_ERROR_FRAME);
+  look_scene_clear (&look);
+  gl_clear (&gl);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/gl/its-pictures-are-those-of-cairo", test_pictures);
+  g_test_add_func ("/gl/the-same-with-opengl-es", test_es);
+  g_test_add_func ("/gl/every-theme-looks-as-in-cairo", test_themes);
+  g_test_add_func ("/gl/what-moves-is-the-same-picture", test_rough);
+  g_test_add_func ("/gl/fine-screens-show-the-same-picture", test_scale);
+  g_test_add_func ("/gl/a-picture-that-fails-is-an-error", test_failure);
+  return g_test_run ();
+}

@@ -1,0 +1,265 @@
+/* The raster of the screen against cairo's pictures, and a part of a picture
+ * painted alone against the whole. */
+#include "easel.h"
+#include "look-case.h"
+#include "raster.h"
+
+#include <string.h>
+
+static guint
+n_different (cairo_surface_t *a, cairo_surface_t *b)
+{
+  const int stride = cairo_image_surface_get_stride (a);
+  const int height = cairo_image_surface_get_height (a);
+  const int width = cairo_image_surface_get_width (a);
+  guint n = 0;
+
+  cairo_surface_flush (a);
+  cairo_surface_flush (b);
+  g_assert_cmpint (cairo_image_surface_get_stride (b), ==, stride);
+  g_assert_cmpint (cairo_image_surface_get_height (b), ==, height);
+  for (int y = 0; y < height; y++)
+    for (int x = 0; x < width; x++)
+      n += memcmp (cairo_image_surface_get_data (a) + y * stride + 4 * x,
+                   cairo_image_surface_get_data (b) + y * stride + 4 * x, 3)
+           != 0;
+  return n;
+}
+
+static void
+check_case (const LookCase *what, PictureView view)
+{
+  Raster *raster = raster_new (LOOK_SIDE, LOOK_SIDE, 1);
+  Names *names = names_new ();
+  Drawing *drawing = drawing_new (names);
+  LookScene look;
+
+  look_scene_init (&look, what, view);
+  drawing_set (drawing, &look.scene, &look.projection, look.theme);
+  raster_paint (raster, drawing, NULL);
+  look_check_case (what, view, "-raster", raster_get_surface (raster),
+                   LOOK_ALIKE);
+  look_scene_clear (&look);
+  drawing_free (drawing);
+  names_free (names);
+  raster_free (raster);
+}
+
+static void
+test_pictures (void)
+{
+  for (guint i = 0; i < look_n_cases; i++) {
+    check_case (&look_cases[i], PICTURE_PLANE);
+    check_case (&look_cases[i], PICTURE_SPACE);
+  }
+}
+
+/* Every theme has the same strokes under both. */
+static void
+test_themes (void)
+{
+  for (int kind = 0; kind < N_THEMES; kind++) {
+    cairo_surface_t *ref
+        = cairo_image_surface_create (CAIRO_FORMAT_RGB24, LOOK_SIDE, LOOK_SIDE);
+    cairo_t *cr = cairo_create (ref);
+    const Theme *theme = theme_get ((ThemeKind)kind);
+    g_autofree char *name = g_strconcat (theme->name, "-raster", NULL);
+    Easel *easel = easel_new ();
+    LookScene look;
+
+    look_scene_init (&look, &look_cases[8], PICTURE_SPACE);
+    painter_paint (cr, &look.scene, &look.projection, theme, 0);
+    cairo_destroy (cr);
+    cairo_surface_flush (ref);
+    cairo_region_destroy (
+        easel_paint (easel, &look.scene, &look.projection, theme, 1));
+    look_check (name, easel_get_surface (easel), ref, LOOK_ALIKE);
+    look_scene_clear (&look);
+    easel_free (easel);
+    cairo_surface_destroy (ref);
+  }
+}
+
+/* Two device pixels to a px: the same picture as cairo's on such a surface.
+ */
+static void
+test_scale (void)
+{
+  cairo_surface_t *ref = cairo_image_surface_create (
+      CAIRO_FORMAT_RGB24, 2 * LOOK_SIDE, 2 * LOOK_SIDE);
+  cairo_t *cr = cairo_create (ref);
+  Easel *easel = easel_new ();
+  LookScene look;
+
+  look_scene_init (&look, &look_cases[6], PICTURE_SPACE);
+  cairo_scale (cr, 2, 2);
+  painter_paint (cr, &look.scene, &look.projection, look.theme, 0);
+  cairo_destroy (cr);
+  cairo_surface_flush (ref);
+  cairo_region_destroy (
+      easel_paint (easel, &look.scene, &look.projection, look.theme, 2));
+  look_check ("scale-2-raster", easel_get_surface (easel), ref, LOOK_ALIKE);
+  look_scene_clear (&look);
+  easel_free (easel);
+  cairo_surface_destroy (ref);
+}
+
+/* Random walks */
+
+typedef struct Walk {
+  GRand *rand;
+  const Fixture *fixture;
+  Scene scene;
+  SceneLook look;
+  gboolean is_space;
+  guint n_partly; /* pictures of which only a part was painted */
+} Walk;
+
+static Projection
+build (Walk *walk, guint step)
+{
+  Projection projection;
+  PlaneCamera plane_camera;
+  Camera camera;
+  Frame frame;
+
+  plane_camera_init (&plane_camera);
+  camera_init (&camera, CAMERA_HOME);
+  frame_init (&frame, walk->fixture->trace, step);
+  projection = walk->is_space
+                   ? camera_projection (&camera, 300, 300)
+                   : plane_camera_projection (&plane_camera, 300, 300);
+  if (walk->is_space) {
+    scene_space (&walk->scene, &frame, &walk->look);
+  } else {
+    scene_look_fit (&walk->look, &projection, 6);
+    scene_plane (&walk->scene, &frame, &walk->look);
+  }
+  frame_clear (&frame);
+  return projection;
+}
+
+static guint
+area_of (const cairo_region_t *region)
+{
+  guint area = 0;
+
+  for (int i = 0; i < cairo_region_num_rectangles (region); i++) {
+    cairo_rectangle_int_t part;
+
+    cairo_region_get_rectangle (region, i, &part);
+    area += (guint)(part.width * part.height);
+  }
+  return area;
+}
+
+/* Any event after any other, with anything lit. */
+static guint
+choose (Walk *walk)
+{
+  const Trace *trace = walk->fixture->trace;
+
+  walk->look.hover = (Object){
+    OBJECT_SITE,
+    (uint32_t)g_rand_int_range (walk->rand, 0, (int)walk->fixture->set->n_sites)
+  };
+  if (trace->n_facets > 0)
+    walk->look.selection
+        = (Object){ g_rand_boolean (walk->rand) ? OBJECT_FACET : OBJECT_NONE,
+                    (uint32_t)g_rand_int_range (walk->rand, 0,
+                                                (int)trace->n_facets) };
+  return (guint)g_rand_int_range (walk->rand, 0, (int)trace->n_events + 1);
+}
+
+static void
+take_steps (Walk *walk, Easel *easel, guint n)
+{
+  const Theme *theme = theme_get (THEME_LIGHT);
+  const guint n_events = walk->fixture->trace->n_events;
+  guint step = choose (walk);
+
+  for (guint i = 0; i < n; i++) {
+    Easel *fresh = easel_new ();
+    Projection projection;
+    cairo_region_t *region;
+
+    step = i % 4 == 3 ? choose (walk) : MIN (step + 1, n_events);
+    projection = build (walk, step);
+    region = easel_paint (easel, &walk->scene, &projection, theme, 1);
+    walk->n_partly += area_of (region) < 300 * 300 / 2;
+    cairo_region_destroy (region);
+    cairo_region_destroy (
+        easel_paint (fresh, &walk->scene, &projection, theme, 1));
+    if (n_different (easel_get_surface (easel), easel_get_surface (fresh)) > 0)
+      g_error (
+          "%s, step %u: %u pixels are old", walk->fixture->name, step,
+          n_different (easel_get_surface (easel), easel_get_surface (fresh)));
+    easel_free (fresh);
+  }
+}
+
+static void
+walk_through (const Fixture *fixture)
+{
+  for (int is_space = 0; is_space < 2; is_space++) {
+    Walk walk = { .rand = g_rand_new_with_seed (7),
+                  .fixture = fixture,
+                  .is_space = is_space };
+    Easel *easel = easel_new ();
+    Frame frame;
+
+    frame_init (&frame, fixture->trace, 0);
+    scene_look_init (&walk.look, &frame);
+    frame_clear (&frame);
+    take_steps (&walk, easel, 16);
+    g_assert_cmpuint (walk.n_partly, >, 4);
+    scene_clear (&walk.scene);
+    easel_free (easel);
+    g_rand_free (walk.rand);
+  }
+}
+
+static void
+test_parts (void)
+{
+  for (guint seed = 1; seed <= 2; seed++) {
+    g_autoptr (Fixture) random
+        = fixture_new (FAMILY_RANDOM, seed, 40, ORDER_FURTHEST);
+    g_autoptr (Fixture) ties
+        = fixture_new (FAMILY_TIES, seed, 30, ORDER_FURTHEST);
+
+    walk_through (random);
+    walk_through (ties);
+  }
+}
+
+/* What did not change is not painted. */
+static void
+test_nothing (void)
+{
+  Easel *easel = easel_new ();
+  cairo_region_t *region;
+  LookScene look;
+
+  look_scene_init (&look, &look_cases[4], PICTURE_SPACE);
+  cairo_region_destroy (
+      easel_paint (easel, &look.scene, &look.projection, look.theme, 1));
+  region = easel_paint (easel, &look.scene, &look.projection, look.theme, 1);
+  g_assert_true (cairo_region_is_empty (region));
+  cairo_region_destroy (region);
+  look_scene_clear (&look);
+  easel_free (easel);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/raster/its-pictures-are-those-of-cairo", test_pictures);
+  g_test_add_func ("/raster/every-theme-looks-as-in-cairo", test_themes);
+  g_test_add_func ("/raster/fine-screens-show-the-same-picture", test_scale);
+  g_test_add_func ("/easel/a-part-painted-alone-has-the-same-pixels",
+                   test_parts);
+  g_test_add_func ("/easel/what-did-not-change-is-not-painted", test_nothing);
+  return g_test_run ();
+}
