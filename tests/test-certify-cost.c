@@ -70,7 +70,7 @@ signs_for (Rbox kind, guint n)
 }
 
 static guint
-signs_of_rounds (guint n)
+signs_of_frame (guint n)
 {
   SiteSet *set = rbox_new (RBOX_CUBE, 1, n);
   Trace *trace = trace_record (set, &(Order){ ORDER_FURTHEST, 0 });
@@ -106,8 +106,10 @@ static void
 test_signs_of_a_frame_are_linear_in_the_sites (void)
 {
   for (guint n = 500; n <= 8000; n *= 4) {
-    g_assert_cmpuint (signs_of_rounds (n), >, 10 * n);
-    g_assert_cmpuint (signs_of_rounds (n), <, 80 * n);
+    const guint signs = signs_of_frame (n);
+
+    g_assert_cmpuint (signs, >, 10 * n);
+    g_assert_cmpuint (signs, <, 80 * n);
   }
 }
 

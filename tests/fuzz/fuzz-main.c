@@ -18,17 +18,18 @@ read_all (FILE *file, size_t *size)
   uint8_t *data = malloc (room);
 
   *size = 0;
-  while (data != NULL) {
-    const size_t n = fread (data + *size, 1, room - *size, file);
+  for (;;) {
+    uint8_t *more;
 
-    *size += n;
+    fuzz_assert (data != NULL);
+    *size += fread (data + *size, 1, room - *size, file);
     if (*size < room)
-      break;
+      return data;
     room *= 2;
-    data = realloc (data, room);
+    more = realloc (data, room);
+    fuzz_assert (more != NULL);
+    data = more;
   }
-  fuzz_assert (data != NULL);
-  return data;
 }
 
 /* A copy of its own size, so that a sanitizer sees reads beyond the end. */
