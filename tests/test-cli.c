@@ -115,6 +115,17 @@ static const Row refusals[] = {
   { "export -o a.svg --view side five.txt", 64, "hull2vd-cli: there is no" },
   { "export -o a.svg --size 0x0 five.txt", 64, "hull2vd-cli: a size lies" },
   { "export -o a.svg --size 1000000x1 five.txt", 64, "hull2vd-cli: a size" },
+  { "export -o a.svg --scale 99 five.txt", 64, "hull2vd-cli: a size lies" },
+  { "export -o a.svg --scale -1 five.txt", 64, "hull2vd-cli: --scale: “-1”" },
+  { "export -o a.svg --theme drak five.txt", 64,
+    "hull2vd-cli: there is no theme “drak” (did you mean “dark”?)" },
+  { "export -o a.svg --layers hull,cels five.txt", 64,
+    "hull2vd-cli: there is no layer “cels”" },
+  { "export -o a.svg --camera up five.txt", 64,
+    "hull2vd-cli: there is no camera “up”" },
+  { "export -o a.svg --camera 10,91 five.txt", 64, "hull2vd-cli: --camera: " },
+  { "export -o a.svg --line-scale 4 five.txt", 64,
+    "hull2vd-cli: --line-scale: “4” is no number from 0.5 to 3" },
   { "export -o a.svg --size -5x5 five.txt", 64, "hull2vd-cli: --size WxH" },
   { "export -o a.svg --size 5 five.txt", 64, "hull2vd-cli: write the size" },
   { "export -o a.svg --event 1 --round 1 five.txt", 64, "hull2vd-cli: write" },
@@ -331,6 +342,42 @@ test_pictures_are_of_the_kind_of_their_name (void)
   }
 }
 
+/* Each option shows: no two of these pictures are alike. */
+static void
+test_the_look_of_a_picture_matters (void)
+{
+  static const char *const options[] = { "",
+                                         "--theme paper",
+                                         "--theme projector",
+                                         "--theme dark",
+                                         "--theme print",
+                                         "--theme contrast",
+                                         "--line-scale 2",
+                                         "--mark-scale 2",
+                                         "--text-scale 2",
+                                         "--layers hull",
+                                         "--layers -hull",
+                                         "--layers +circumcircles,-lifts",
+                                         "--camera look-up",
+                                         "--camera 40,10",
+                                         "--camera 40,10,1.5",
+                                         "--scale 2",
+                                         "--transparent" };
+  g_autoptr (GHashTable) seen
+      = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+
+  for (guint i = 0; i < G_N_ELEMENTS (options); i++) {
+    g_auto (Result) result = { 0 };
+    g_autofree char *line = g_strdup_printf (
+        "export --round 0 %s -o m.svg five.txt && cat m.svg", options[i]);
+
+    run (&result, line);
+    g_assert_cmpint (result.status, ==, 0);
+    if (!g_hash_table_add (seen, g_steal_pointer (&result.out)))
+      g_error ("%s: changes nothing", options[i]);
+  }
+}
+
 static void
 test_the_moment_of_a_picture_matters (void)
 {
@@ -506,6 +553,7 @@ static const struct {
   const char *name;
   GTestFunc run;
 } tests[] = {
+  { "/cli/the-look-of-a-picture-matters", test_the_look_of_a_picture_matters },
   { "/cli/export-follows-the-order", test_export_follows_the_order },
   { "/cli/count-agrees-with-the-trace", test_count_agrees_with_the_trace },
   { "/cli/walking-claims-nothing", test_walking_claims_nothing },

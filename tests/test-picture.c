@@ -13,6 +13,11 @@ static const char *const sets[]
 
 #define N_SETS (sizeof sets / sizeof sets[0])
 
+/* What the pictures of a test look like. */
+static ThemeKind theme = THEME_LIGHT;
+static double scale = 1;
+static gboolean is_transparent = FALSE;
+
 /* The bytes of a picture of a set at its last cone, or at its end. */
 static GString *
 write_zoomed (const Fixture *fixture,
@@ -34,6 +39,9 @@ write_zoomed (const Fixture *fixture,
   picture_init (&picture, view, &frame);
   picture.look.layers |= LAYER_CIRCLES;
   picture.plane_camera.zoom = picture.camera.zoom = zoom;
+  picture.theme = theme_get (theme);
+  picture.scale = scale;
+  picture.is_transparent = is_transparent;
   picture.title = "Sites & <lifts>";
   picture.description = "s7 sees f9 > f8";
   g_assert_true (picture_write (&picture, &frame, format, file));
@@ -235,6 +243,23 @@ test_svg (void)
   fixture_for_each (1, 20, ORDER_FURTHEST, check_both_svg);
 }
 
+/* Large, small, and without a background. */
+static void
+test_themes (void)
+{
+  static const double scales[] = { 0.3, 1, 4 };
+  g_autoptr (Fixture) fixture = fixture_load ("mixed8", ORDER_FURTHEST);
+
+  for (theme = 0; theme < N_THEMES; theme++) {
+    scale = scales[theme % G_N_ELEMENTS (scales)];
+    is_transparent = theme % 2;
+    check_both_svg (fixture);
+  }
+  theme = THEME_LIGHT;
+  scale = 1;
+  is_transparent = FALSE;
+}
+
 static gboolean
 contains (const GString *bytes, const char *words)
 {
@@ -270,6 +295,123 @@ test_png (void)
   g_assert_cmpuint (header[18] * 256U + header[19], ==, 960);
   g_assert_cmpuint (header[22] * 256U + header[23], ==, 480);
   free_string (bytes);
+}
+
+static guint
+to_number (const guint8 *bytes)
+{
+  return ((bytes[0] * 256U + bytes[1]) * 256U + bytes[2]) * 256U + bytes[3];
+}
+
+static void
+test_scale (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
+  GString *bytes, *svg;
+  const guint8 *header;
+
+  scale = 2.5;
+  bytes = write_picture (fixture, PICTURE_BOTH, PICTURE_PNG);
+  svg = write_picture (fixture, PICTURE_PLANE, PICTURE_SVG);
+  scale = 1;
+  header = (const guint8 *)bytes->str;
+  g_assert_cmpuint (to_number (header + 16), ==, 2400);
+  g_assert_cmpuint (to_number (header + 20), ==, 1200);
+  g_assert_nonnull (strstr (svg->str, "width=\"1200pt\" height=\"1200pt\""));
+  free_string (bytes);
+  free_string (svg);
+}
+
+static cairo_status_t
+read_bytes (void *closure, unsigned char *data, unsigned length)
+{
+  GString *bytes = closure;
+
+  if (bytes->len < length)
+    return CAIRO_STATUS_READ_ERROR;
+  memcpy (data, bytes->str, length);
+  g_string_erase (bytes, 0, (gssize)length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/* Returns: the alpha of the pixel in the upper left corner of space. */
+static guint
+corner_alpha (const Fixture *fixture)
+{
+  GString *bytes = write_picture (fixture, PICTURE_SPACE, PICTURE_PNG);
+  cairo_surface_t *surface
+      = cairo_image_surface_create_from_png_stream (read_bytes, bytes);
+  guint alpha = 255;
+
+  g_assert_cmpint (cairo_surface_status (surface), ==, CAIRO_STATUS_SUCCESS);
+  if (cairo_image_surface_get_format (surface) == CAIRO_FORMAT_ARGB32)
+    alpha = *(guint32 *)(void *)cairo_image_surface_get_data (surface) >> 24;
+  cairo_surface_destroy (surface);
+  free_string (bytes);
+  return alpha;
+}
+
+static void
+test_transparent (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
+
+  g_assert_cmpuint (corner_alpha (fixture), ==, 255);
+  is_transparent = TRUE;
+  g_assert_cmpuint (corner_alpha (fixture), ==, 0);
+  is_transparent = FALSE;
+}
+
+/* An independent reader finds the names of the sites in the order of words. */
+static void
+test_pdf_has_text (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
+  GString *bytes = write_picture (fixture, PICTURE_PLANE, PICTURE_PDF);
+  g_autofree char *path
+      = g_build_filename (g_get_tmp_dir (), "hull2vd-XXXXXX", NULL);
+  g_autofree char *line = NULL, *text = NULL;
+  g_autoptr (GError) error = NULL;
+  const int file = g_mkstemp (path);
+  guint i;
+
+  g_assert_cmpint (write (file, bytes->str, bytes->len), ==,
+                   (gssize)bytes->len);
+  close (file);
+  line = g_strdup_printf ("pdftotext %s -", path);
+  g_assert_true (g_spawn_command_line_sync (line, &text, NULL, NULL, &error));
+  g_assert_no_error (error);
+  for (i = 0; i < 8; i++) {
+    g_autofree char *name = g_strdup_printf ("s%u", i);
+
+    g_assert_nonnull (strstr (text, name));
+  }
+  g_remove (path);
+  free_string (bytes);
+}
+
+static void
+test_sizes (void)
+{
+  static const struct {
+    double width, height, scale;
+    bool is_good;
+  } rows[] = {
+    { 1, 1, 1, true },           { 0, 0, 1, false },
+    { 1e6, 1e6, 1, false },      { -5, 5, 1, false },
+    { 16384, 16384, 1, true },   { 16384, 16384, 1.001, false },
+    { 20000, 20000, 0.5, true }, { 1, 1, 0.5, false },
+    { NAN, 5, 1, false },        { 5, 5, INFINITY, false },
+  };
+  guint i;
+
+  for (i = 0; i < G_N_ELEMENTS (rows); i++) {
+    const Picture picture = { .width = rows[i].width,
+                              .height = rows[i].height,
+                              .scale = rows[i].scale };
+
+    g_assert_cmpint (picture_has_good_size (&picture), ==, rows[i].is_good);
+  }
 }
 
 static void
@@ -313,6 +455,12 @@ main (int argc, char **argv)
                    test_svg);
   g_test_add_func ("/picture/a-pdf-has-a-title-and-a-fixed-date", test_pdf);
   g_test_add_func ("/picture/a-png-has-the-size-asked-for", test_png);
+  g_test_add_func ("/picture/every-theme-stays-near-its-page", test_themes);
+  g_test_add_func ("/picture/the-names-in-a-pdf-are-text", test_pdf_has_text);
+  g_test_add_func ("/picture/a-scaled-picture-is-larger", test_scale);
+  g_test_add_func ("/picture/a-transparent-one-has-no-background",
+                   test_transparent);
+  g_test_add_func ("/picture/sizes-that-cannot-be-drawn-are-known", test_sizes);
   g_test_add_func ("/picture/a-full-disk-is-a-failure", test_full_disk);
   g_test_add_func ("/picture/the-ending-names-the-format", test_format);
   return g_test_run ();

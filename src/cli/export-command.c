@@ -5,18 +5,21 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-#define MAX_SIZE 16384 /* px */
+#define SCALE_SMALLEST 0.01
+#define SCALE_LARGEST 100.0
 
 typedef struct Options {
-  char *view, *event, *round, *stop, *size, *output;
+  char *view, *event, *round, *stop, *size, *scale, *output;
+  gboolean is_transparent;
   char **paths;
   CliOrder order_options;
   Order order; /* for points; a lesson says its own */
   CliLook look;
   PictureView view_kind;
   PictureFormat format;
-  guint number; /* of the event, round or stop */
-  guint width, height;
+  guint number;        /* of the event, round or stop */
+  guint width, height; /* 0: as the picture is by itself */
+  double factor;
 } Options;
 
 static void
@@ -27,6 +30,7 @@ options_clear (Options *options)
   g_free (options->round);
   g_free (options->stop);
   g_free (options->size);
+  g_free (options->scale);
   g_free (options->output);
   cli_order_clear (&options->order_options);
   cli_look_clear (&options->look);
@@ -52,25 +56,41 @@ parse_view (const CliCommand *command, Options *options)
 }
 
 static gboolean
+read_size (const CliCommand *command, Options *options)
+{
+  const char *const option = "--size WxH";
+  g_auto (GStrv) parts = g_strsplit (options->size, "x", 3);
+
+  if (g_strv_length (parts) != 2) {
+    cli_usage (command, _ ("write the size as WIDTHxHEIGHT"));
+    return FALSE;
+  }
+  return cli_number (command, option, parts[0], &options->width)
+         && cli_number (command, option, parts[1], &options->height);
+}
+
+static gboolean
 parse_size (const CliCommand *command, Options *options)
 {
-  g_auto (GStrv) parts = NULL;
+  options->factor = 1;
+  return (options->size == NULL || read_size (command, options))
+         && (options->scale == NULL
+             || cli_decimal (command, "--scale", options->scale, SCALE_SMALLEST,
+                             SCALE_LARGEST, &options->factor));
+}
 
-  if (options->size == NULL)
+static gboolean
+set_size (const CliCommand *command, Picture *picture, const Options *options)
+{
+  if (options->size != NULL) {
+    picture->width = options->width;
+    picture->height = options->height;
+  }
+  picture->scale = options->factor;
+  if (picture_has_good_size (picture))
     return TRUE;
-  parts = g_strsplit (options->size, "x", 3);
-  if (g_strv_length (parts) != 2
-      || !cli_number (command, "--size WxH", parts[0], &options->width)
-      || !cli_number (command, "--size WxH", parts[1], &options->height))
-    return g_strv_length (parts) == 2
-               ? FALSE
-               : (cli_usage (command, _ ("write the size as WIDTHxHEIGHT")),
-                  FALSE);
-  if (options->width >= 1 && options->width <= MAX_SIZE && options->height >= 1
-      && options->height <= MAX_SIZE)
-    return TRUE;
-  cli_usage (command, _ ("a size lies between 1x1 and %dx%d"), MAX_SIZE,
-             MAX_SIZE);
+  cli_usage (command, _ ("a size lies between 1x1 and %dx%d, scaled or not"),
+             PICTURE_MOST, PICTURE_MOST);
   return FALSE;
 }
 
@@ -143,21 +163,24 @@ options_parse (Options *options,
   {                                                                            \
     name, letter, 0, G_OPTION_ARG_##kind, &options->field, sentence, value     \
   }
-  const GOptionEntry entries[]
-      = { ENTRY ("view", 0, STRING, view, N_ ("what to show"),
-                 "plane|space|both"),
-          ENTRY ("event", 0, STRING, event, N_ ("after event E"), "E"),
-          ENTRY ("round", 0, STRING, round,
-                 N_ ("after R insertions beyond the first simplex"), "R"),
-          ENTRY ("stop", 0, STRING, stop,
-                 N_ ("at stop K of the lesson, from 1"), "K"),
-          ENTRY ("size", 0, STRING, size,
-                 N_ ("pixels of PNG, points of the others"), "WxH"),
-          CLI_ORDER_ENTRIES (&options->order_options),
-          CLI_LOOK_ENTRIES (&options->look),
-          ENTRY ("output", 'o', FILENAME, output,
-                 N_ ("the picture: .svg, .pdf or .png"), "OUT"),
-          G_OPTION_ENTRY_NULL };
+  const GOptionEntry entries[] = {
+    ENTRY ("view", 0, STRING, view, N_ ("what to show"), "plane|space|both"),
+    ENTRY ("event", 0, STRING, event, N_ ("after event E"), "E"),
+    ENTRY ("round", 0, STRING, round,
+           N_ ("after R insertions beyond the first simplex"), "R"),
+    ENTRY ("stop", 0, STRING, stop, N_ ("at stop K of the lesson, from 1"),
+           "K"),
+    ENTRY ("size", 0, STRING, size, N_ ("pixels of PNG, points of the others"),
+           "WxH"),
+    ENTRY ("scale", 0, STRING, scale, N_ ("F times as large, all of it"), "F"),
+    ENTRY ("transparent", 0, NONE, is_transparent, N_ ("without a background"),
+           NULL),
+    CLI_ORDER_ENTRIES (&options->order_options),
+    CLI_LOOK_ENTRIES (&options->look),
+    ENTRY ("output", 'o', FILENAME, output,
+           N_ ("the picture: .svg, .pdf or .png"), "OUT"),
+    G_OPTION_ENTRY_NULL
+  };
 #undef ENTRY
 
   return cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,
@@ -216,7 +239,9 @@ goto_moment (Session *session, const Options *options)
 }
 
 static CliStatus
-write_picture (Session *session, const Options *options)
+write_picture (const CliCommand *command,
+               Session *session,
+               const Options *options)
 {
   const Frame *frame = session_get_frame (session);
   g_autofree char *narration = session_narrate (session);
@@ -234,10 +259,9 @@ write_picture (Session *session, const Options *options)
   picture.theme = &theme;
   picture.title = lesson == NULL ? name : lesson->title;
   picture.description = narration;
-  if (options->size != NULL) {
-    picture.width = options->width;
-    picture.height = options->height;
-  }
+  picture.is_transparent = options->is_transparent;
+  if (!set_size (command, &picture, options))
+    return CLI_USAGE;
   cli_output_begin (&output);
   if (picture_write (&picture, frame, options->format, output.file))
     return cli_output_end (&output, options->output);
@@ -260,7 +284,7 @@ cli_export (const CliCommand *command, int argc, char **argv)
       status = cli_fail (error);
     else if (goto_moment (session, &options)
              && apply_look (command, session, &options))
-      status = write_picture (session, &options);
+      status = write_picture (command, session, &options);
     else
       status = CLI_REFUSED;
   }

@@ -2,6 +2,7 @@
 #include "brush.h"
 #include "drawing.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 static void
@@ -62,7 +63,15 @@ paint (cairo_t *cr, const Drawing *drawing, const Stroke *stroke)
   }
 }
 
-/* The same outlines on every surface. */
+static bool
+takes_text (cairo_t *cr)
+{
+  return cairo_surface_get_type (cairo_get_target (cr))
+         == CAIRO_SURFACE_TYPE_PDF;
+}
+
+/* The same outlines on every surface; in a PDF the letters are text, to be
+ * searched and copied. */
 static void
 paint_name (cairo_t *cr, const Drawing *drawing, const PlacedName *placed)
 {
@@ -72,7 +81,12 @@ paint_name (cairo_t *cr, const Drawing *drawing, const PlacedName *placed)
   brush_colour (cr, drawing->theme->background);
   cairo_stroke_preserve (cr);
   brush_colour (cr, placed->colour);
-  cairo_fill (cr);
+  if (!takes_text (cr)) {
+    cairo_fill (cr);
+    return;
+  }
+  cairo_new_path (cr);
+  names_show (drawing->names, placed->name, cr, placed->at);
 }
 
 void

@@ -152,6 +152,16 @@ names_trace (Names *names, uint32_t number, cairo_t *cr, Pixel at)
   pango_cairo_layout_path (cr, names->layout);
 }
 
+void
+names_show (Names *names, uint32_t number, cairo_t *cr, Pixel at)
+{
+  const Name *name = get_name (names, number);
+
+  set_text (names, name->text, name->face);
+  cairo_move_to (cr, at.x - name->ink.x, at.y - name->ink.y);
+  pango_cairo_show_layout (cr, names->layout);
+}
+
 /* One of the two masks of a name: its casing or its letters. */
 static void
 paint_mask (Names *names, uint32_t number, int which)

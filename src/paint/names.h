@@ -46,6 +46,9 @@ NameSize names_size (const Names *names, uint32_t name);
  * its ink at @at. */
 void names_trace (Names *names, uint32_t name, cairo_t *cr, Pixel at);
 
+/* Paints a name as text, for surfaces that keep text. */
+void names_show (Names *names, uint32_t name, cairo_t *cr, Pixel at);
+
 /* Returns: the name at so many device pixels per px, borrowed. */
 const NameMask *names_mask (Names *names, uint32_t name, double scale);
 

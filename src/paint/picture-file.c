@@ -32,19 +32,22 @@ describe_pdf (const Picture *picture, cairo_surface_t *surface)
 static cairo_surface_t *
 surface_new (const Picture *picture, PictureFormat format, GByteArray *bytes)
 {
+  const double width = picture->width * picture->scale;
+  const double height = picture->height * picture->scale;
+
   switch (format) {
   case PICTURE_SVG:
-    return cairo_svg_surface_create_for_stream (
-        append_bytes, bytes, picture->width, picture->height);
+    return cairo_svg_surface_create_for_stream (append_bytes, bytes, width,
+                                                height);
   case PICTURE_PDF:
-    return cairo_pdf_surface_create_for_stream (
-        append_bytes, bytes, picture->width, picture->height);
+    return cairo_pdf_surface_create_for_stream (append_bytes, bytes, width,
+                                                height);
   case PICTURE_PNG:
     break;
   }
-  return cairo_image_surface_create (CAIRO_FORMAT_RGB24,
-                                     (int)lround (picture->width),
-                                     (int)lround (picture->height));
+  return cairo_image_surface_create (
+      picture->is_transparent ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
+      (int)lround (width), (int)lround (height));
 }
 
 /* Returns: the picture in @format, or NULL when cairo refuses its size. */
@@ -58,6 +61,7 @@ encode (const Picture *picture, const Frame *frame, PictureFormat format)
 
   if (format == PICTURE_PDF)
     describe_pdf (picture, surface);
+  cairo_scale (cr, picture->scale, picture->scale);
   picture_paint (picture, frame, cr);
   cairo_show_page (cr);
   status = cairo_status (cr);

@@ -11,10 +11,21 @@ picture_init (Picture *picture, PictureView view, const Frame *frame)
   *picture = (Picture){ .view = view,
                         .width = view == PICTURE_BOTH ? 2 * SIDE : SIDE,
                         .height = SIDE,
+                        .scale = 1,
                         .theme = theme_get (THEME_LIGHT) };
   scene_look_init (&picture->look, frame);
   camera_init (&picture->camera, CAMERA_HOME);
   plane_camera_init (&picture->plane_camera);
+}
+
+bool
+picture_has_good_size (const Picture *picture)
+{
+  const double width = picture->width * picture->scale;
+  const double height = picture->height * picture->scale;
+
+  return width >= 1 && height >= 1 && width <= PICTURE_MOST
+         && height <= PICTURE_MOST;
 }
 
 static void
@@ -83,7 +94,8 @@ paint_both (const Picture *picture, const Frame *frame, cairo_t *cr)
 void
 picture_paint (const Picture *picture, const Frame *frame, cairo_t *cr)
 {
-  paint_background (picture, cr);
+  if (!picture->is_transparent)
+    paint_background (picture, cr);
   switch (picture->view) {
   case PICTURE_PLANE:
     paint_plane (picture, frame, cr, picture->width);

@@ -21,7 +21,9 @@ typedef enum PictureFormat {
 
 typedef struct Picture {
   PictureView view;
-  double width, height; /* px of the PNG, pt of the others */
+  double width, height; /* px of the PNG, pt of the others, before scaling */
+  double scale;         /* of everything: 2 is for screens of twice the dots */
+  bool is_transparent;  /* no background */
   SceneLook look;       /* low and high are set by the picture itself */
   Camera camera;
   PlaneCamera plane_camera;
@@ -30,13 +32,21 @@ typedef struct Picture {
   const char *description; /* may be NULL: the narration */
 } Picture;
 
+/* The largest side of a picture, after scaling. */
+#define PICTURE_MOST 16384
+
+/* Returns: whether each side lies between 1 and PICTURE_MOST after scaling. */
+bool picture_has_good_size (const Picture *picture);
+
 /* A picture of everything in its default look, 960 × 480 for both views. */
 void picture_init (Picture *picture, PictureView view, const Frame *frame);
 
-/* Paints without a file, for the screen, pages and tests. */
+/* Paints without a file and without scaling, for the screen, pages and tests.
+ */
 void picture_paint (const Picture *picture, const Frame *frame, cairo_t *cr);
 
-/* Writes the picture. The same frame gives the same bytes.
+/* Writes the picture. The same frame gives the same bytes. Names of sites are
+ * text in a PDF, to be searched and copied, and outlines in an SVG.
  *
  * Returns: false when writing failed. */
 bool picture_write (const Picture *picture,
