@@ -5,6 +5,7 @@
 typedef struct Choice {
   FileChosen on_chosen;
   gpointer user;
+  GDestroyNotify free_user; /* may be NULL */
 } Choice;
 
 static void
@@ -17,6 +18,8 @@ on_response (GtkNativeDialog *dialog, int response, Choice *choice)
     if (path != NULL)
       choice->on_chosen (path, choice->user);
   }
+  if (choice->free_user != NULL)
+    choice->free_user (choice->user);
   g_free (choice);
   g_object_unref (dialog);
 }
@@ -34,12 +37,16 @@ make_dialog (GtkWindow *parent, const char *title, gboolean saves)
 }
 
 static void
-show_dialog (GtkFileChooser *dialog, FileChosen on_chosen, gpointer user)
+show_dialog (GtkFileChooser *dialog,
+             FileChosen on_chosen,
+             gpointer user,
+             GDestroyNotify free_user)
 {
   Choice *choice = g_new0 (Choice, 1);
 
   choice->on_chosen = on_chosen;
   choice->user = user;
+  choice->free_user = free_user;
   g_signal_connect (dialog, "response", G_CALLBACK (on_response), choice);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (dialog));
 }
@@ -67,7 +74,7 @@ file_dialog_open (GtkWindow *parent,
   add_filter (dialog, _ ("Lessons and points"),
               "*.md *.txt *.csv *.xy *.points");
   add_filter (dialog, _ ("All files"), "*");
-  show_dialog (dialog, on_chosen, user);
+  show_dialog (dialog, on_chosen, user, NULL);
 }
 
 void
@@ -77,9 +84,20 @@ file_dialog_save (GtkWindow *parent,
                   FileChosen on_chosen,
                   gpointer user)
 {
+  file_dialog_save_with (parent, title, name, on_chosen, user, NULL);
+}
+
+void
+file_dialog_save_with (GtkWindow *parent,
+                       const char *title,
+                       const char *name,
+                       FileChosen on_chosen,
+                       gpointer user,
+                       GDestroyNotify free_user)
+{
   GtkFileChooser *dialog = make_dialog (parent, title, TRUE);
 
   gtk_file_chooser_set_do_overwrite_confirmation (dialog, TRUE);
   gtk_file_chooser_set_current_name (dialog, name);
-  show_dialog (dialog, on_chosen, user);
+  show_dialog (dialog, on_chosen, user, free_user);
 }

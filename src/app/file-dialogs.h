@@ -21,6 +21,14 @@ void file_dialog_save (GtkWindow *parent,
                        FileChosen on_chosen,
                        gpointer user);
 
+/* The same; takes @user, and lets it go by @free_user after all. */
+void file_dialog_save_with (GtkWindow *parent,
+                            const char *title,
+                            const char *name,
+                            FileChosen on_chosen,
+                            gpointer user,
+                            GDestroyNotify free_user);
+
 G_END_DECLS
 
 #endif

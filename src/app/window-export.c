@@ -2,7 +2,6 @@
 
 #include "document.h"
 #include "file-dialogs.h"
-#include "picture.h"
 #include "storyboard.h"
 
 #include <errno.h>
@@ -39,66 +38,6 @@ pages_close (Pages *pages, const char *path, gboolean is_good, GError **error)
   free (pages->bytes);
   return is_written;
 }
-
-/* Pictures */
-
-static void
-fill_picture (Picture *picture, Hull2vdWindow *window)
-{
-  Session *session = window->session;
-  const Lesson *lesson = session_get_lesson (session);
-
-  picture_init (picture, PICTURE_BOTH, session_get_frame (session));
-  picture->look = *session_get_look (session);
-  picture->look.hover = (Object){ OBJECT_NONE, 0 };
-  picture->camera = *session_get_camera (session);
-  picture->plane_camera = *session_get_plane_camera (session);
-  picture->title = lesson != NULL ? lesson->title : "Hull2VD";
-}
-
-static gboolean
-write_picture (Hull2vdWindow *window, const char *path, GError **error)
-{
-  g_autofree char *sentence = session_narrate (window->session);
-  PictureFormat format;
-  Picture picture;
-  Pages pages;
-  gboolean is_good;
-
-  if (!picture_format_of (path, &format)) {
-    g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_CANNOT_WRITE,
-                 _ ("%s: a picture’s name ends in .svg, .pdf or .png"), path);
-    return FALSE;
-  }
-  fill_picture (&picture, window);
-  picture.description = sentence;
-  pages_open (&pages);
-  is_good = picture_write (&picture, session_get_frame (window->session),
-                           format, pages.file);
-  if (!is_good)
-    g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_CANNOT_WRITE,
-                 _ ("%s: the picture could not be drawn"), path);
-  return pages_close (&pages, path, is_good, error);
-}
-
-static void
-on_picture_chosen (const char *path, gpointer user)
-{
-  g_autoptr (GError) error = NULL;
-
-  if (!write_picture (user, path, &error))
-    hull2vd_window_say (user, error->message);
-}
-
-void
-window_files_export (Hull2vdWindow *window)
-{
-  file_dialog_save (GTK_WINDOW (window),
-                    _ ("Export Both Views (.svg, .pdf or .png)"),
-                    _ ("hull.svg"), on_picture_chosen, window);
-}
-
-/* Storyboards */
 
 /* Another session plays the lesson, so that the window's stays in place. */
 static Session *

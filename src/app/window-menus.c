@@ -20,6 +20,7 @@ static const MenuRow main_rows[] = {
   { NULL, "" },
   { N_ ("_Copy Sites"), "copy" },
   { N_ ("_Paste Sites"), "paste" },
+  { N_ ("Copy P_icture"), "copy-picture" },
   { NULL, "" },
   { N_ ("_Export Picture…"), "export-picture" },
   { N_ ("Export Story_board…"), "storyboard" },

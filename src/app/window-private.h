@@ -81,11 +81,14 @@ void window_files_new (Hull2vdWindow *window);
 void window_files_open (Hull2vdWindow *window);
 void window_files_save (Hull2vdWindow *window);
 void window_files_save_as (Hull2vdWindow *window);
-void window_files_export (Hull2vdWindow *window);
 void window_files_storyboard (Hull2vdWindow *window);
 gboolean window_files_load (Hull2vdWindow *window, const char *path);
 /* Whether there is work in the window that is in no file. */
 gboolean window_files_is_modified (Hull2vdWindow *window);
+
+/* window-picture.c: pictures of the views. */
+void window_picture_export (Hull2vdWindow *window);
+void window_picture_copy (Hull2vdWindow *window);
 
 /* window-theme.c: the theme of pictures and chrome. */
 void window_theme_init (Hull2vdWindow *window);
