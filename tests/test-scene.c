@@ -712,6 +712,57 @@ test_opacity (void)
   }
 }
 
+static double
+length_of (const Scene *scene, Role role)
+{
+  double length = 0;
+  guint i;
+
+  for (i = 0; i < scene->n_items; i++) {
+    const Point3 *p = &scene->points[scene->items[i].first];
+
+    if (scene->items[i].role == role)
+      length += hypot (p[1].x - p[0].x, p[1].y - p[0].y);
+  }
+  return length;
+}
+
+/* A step that is on its way draws ever more of the horizon and of the cone,
+ * nothing of what stood before moves, and at its end all is there. */
+static void
+test_moving (void)
+{
+  static const struct {
+    Phase phase;
+    Role role;
+  } rows[]
+      = { { PHASE_HORIZON, ROLE_HORIZON }, { PHASE_CONE, ROLE_CONE_EDGE } };
+  size_t r;
+
+  for (r = 0; r < G_N_ELEMENTS (rows); r++) {
+    g_autoptr (Stage) stage = stage_new ("lecture8", 4, rows[r].phase);
+    const double whole = length_of (&stage->plane, rows[r].role);
+    double last = -1;
+    int i;
+
+    stage->look.since = stage->frame.step - 6;
+    for (i = 0; i <= 10; i++) {
+      double length;
+
+      stage->look.moving = 1 - i / 10.0;
+      stage_draw (stage);
+      length = length_of (&stage->plane, rows[r].role);
+      g_assert_cmpfloat (length, >, last);
+      last = length;
+    }
+    g_assert_cmpfloat (fabs (last - whole), <, 1e-12);
+    stage->look.moving = 1;
+    stage->look.since = stage->frame.step;
+    stage_draw (stage);
+    g_assert_cmpfloat (length_of (&stage->plane, rows[r].role), ==, whole);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -735,6 +786,8 @@ main (int argc, char **argv)
                    test_tangents);
   g_test_add_func ("/scene/lifts-glide-down-to-the-triangulation", test_lift);
   g_test_add_func ("/scene/what-is-transparent-cannot-be-picked", test_opacity);
+  g_test_add_func ("/scene/what-is-new-grows-and-what-stood-stays",
+                   test_moving);
   g_test_add_func ("/pick/a-site-takes-the-click-on-its-mark", test_pick_sites);
   g_test_add_func ("/pick/a-facet-is-the-nearest-to-the-eye",
                    test_pick_nearest);

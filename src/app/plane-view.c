@@ -3,6 +3,7 @@
 #include "canvas-input.h"
 #include "site-edit.h"
 #include "site-preview.h"
+#include "step-motion.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -13,6 +14,7 @@
 
 struct _PlaneView {
   Canvas parent_instance;
+  StepMotion *motion;
   guint dragged;     /* site */
   double grip_px[2]; /* from the pointer to the site */
 };
@@ -40,6 +42,7 @@ plane_view_build_scene (Canvas *canvas, Scene *scene)
   const Projection projection = canvas_get_projection (canvas);
   SceneLook look = *session_get_look (session);
 
+  step_motion_apply (HULL2VD_PLANE_VIEW (canvas)->motion, &look);
   scene_look_fit (&look, &projection, INSET_PX);
   scene_plane (scene, session_get_frame (session), &look);
 }
@@ -246,10 +249,18 @@ plane_view_get_object (Canvas *canvas, guint index)
 /* Life */
 
 static void
+plane_view_finalize (GObject *object)
+{
+  step_motion_free (HULL2VD_PLANE_VIEW (object)->motion);
+  G_OBJECT_CLASS (plane_view_parent_class)->finalize (object);
+}
+
+static void
 plane_view_class_init (PlaneViewClass *class)
 {
   CanvasClass *canvas_class = HULL2VD_CANVAS_CLASS (class);
 
+  G_OBJECT_CLASS (class)->finalize = plane_view_finalize;
   canvas_class->title = N_ ("Plane");
   canvas_class->is_space = FALSE;
   canvas_class->build_scene = plane_view_build_scene;
@@ -271,5 +282,6 @@ plane_view_class_init (PlaneViewClass *class)
 static void
 plane_view_init (PlaneView *view)
 {
+  view->motion = step_motion_new (HULL2VD_CANVAS (view));
   site_preview_attach (HULL2VD_CANVAS (view));
 }

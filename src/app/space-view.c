@@ -3,6 +3,7 @@
 #include "camera-glide.h"
 #include "canvas-input.h"
 #include "site-edit.h"
+#include "step-motion.h"
 
 #include <glib/gi18n.h>
 
@@ -13,6 +14,7 @@
 struct _SpaceView {
   Canvas parent_instance;
   CameraGlide *glide;
+  StepMotion *motion;
 };
 
 G_DEFINE_TYPE (SpaceView, space_view, CANVAS_TYPE)
@@ -30,8 +32,10 @@ static void
 space_view_build_scene (Canvas *canvas, Scene *scene)
 {
   Session *session = canvas_get_session (canvas);
+  SceneLook look = *session_get_look (session);
 
-  scene_space (scene, session_get_frame (session), session_get_look (session));
+  step_motion_apply (HULL2VD_SPACE_VIEW (canvas)->motion, &look);
+  scene_space (scene, session_get_frame (session), &look);
 }
 
 static void
@@ -189,6 +193,7 @@ static void
 space_view_finalize (GObject *object)
 {
   camera_glide_free (HULL2VD_SPACE_VIEW (object)->glide);
+  step_motion_free (HULL2VD_SPACE_VIEW (object)->motion);
   G_OBJECT_CLASS (space_view_parent_class)->finalize (object);
 }
 
@@ -220,4 +225,5 @@ static void
 space_view_init (SpaceView *view)
 {
   view->glide = camera_glide_new (HULL2VD_CANVAS (view));
+  view->motion = step_motion_new (HULL2VD_CANVAS (view));
 }

@@ -26,6 +26,38 @@ scene_is_new_apex (const SceneBuilder *builder, uint32_t site)
          && round_of (builder)->site == site;
 }
 
+/* Whether a facet of the cone is still on its way to the apex. */
+static bool
+is_growing (const SceneBuilder *builder, uint32_t facet)
+{
+  const SceneLook *look = builder->look;
+
+  return look->moving > 0 && builder->is_round
+         && (scene_roles (builder, facet) & FACET_CONE)
+         && builder->frame->trace->facets[facet].span.birth > look->since;
+}
+
+static Point3
+between (Point3 from, Point3 to, double part)
+{
+  return (Point3){ from.x + part * (to.x - from.x),
+                   from.y + part * (to.y - from.y),
+                   from.z + part * (to.z - from.z) };
+}
+
+/* Moves the apex of a growing facet back towards its ridge. */
+static void
+hold_apex (const SceneBuilder *builder, const uint32_t site[3], Point3 at[3])
+{
+  const uint32_t apex = round_of (builder)->site;
+  int k = 0;
+
+  while (k < 2 && site[k] != apex)
+    k++;
+  at[k] = between (at[k], between (at[(k + 1) % 3], at[(k + 2) % 3], 0.5),
+                   builder->look->moving);
+}
+
 SceneItem *
 scene_add_polygon (SceneBuilder *builder,
                    Role role,
@@ -33,11 +65,16 @@ scene_add_polygon (SceneBuilder *builder,
                    bool lifted)
 {
   const uint32_t *site = scene_facet_sites (builder, facet);
+  Point3 at[3];
   int k;
 
+  for (k = 0; k < 3; k++)
+    at[k] = scene_at (builder, site[k], lifted);
+  if (is_growing (builder, facet))
+    hold_apex (builder, site, at);
   scene_add (builder, SHAPE_POLYGON, role, (Object){ OBJECT_FACET, facet });
   for (k = 0; k < 3; k++)
-    scene_add_point (builder, scene_at (builder, site[k], lifted));
+    scene_add_point (builder, at[k]);
   return &builder->scene->items[builder->scene->n_items - 1];
 }
 
@@ -173,6 +210,20 @@ scene_add_cone_shadow (SceneBuilder *builder)
       scene_add_polygon (builder, ROLE_CONE, frame->facets[i].facet, false);
 }
 
+static void
+add_cone_edge (SceneBuilder *builder,
+               uint32_t facet,
+               uint32_t site,
+               bool lifted)
+{
+  const Point3 apex = scene_at (builder, round_of (builder)->site, lifted);
+  const Point3 end = scene_at (builder, site, lifted);
+  const double moving = is_growing (builder, facet) ? builder->look->moving : 0;
+
+  scene_add_segment (builder, ROLE_CONE_EDGE, (Object){ OBJECT_NONE, 0 },
+                     (Point3[2]){ between (apex, end, moving), end });
+}
+
 /* The edges from the apex to the horizon, once each. In the plane those of
  * lower facets only: no others will be Delaunay edges. */
 void
@@ -196,8 +247,7 @@ scene_add_cone_edges (SceneBuilder *builder, bool lifted)
       if (site[k] == apex || is_drawn[site[k]])
         continue;
       is_drawn[site[k]] = true;
-      scene_add_edge (builder, ROLE_CONE_EDGE, (Object){ OBJECT_NONE, 0 },
-                      (uint32_t[2]){ apex, site[k] }, lifted);
+      add_cone_edge (builder, facet, site[k], lifted);
     }
   }
   free (is_drawn);
@@ -235,23 +285,41 @@ find_lower_horizon (const SceneBuilder *builder)
   return has_lower;
 }
 
+/* How many ridges of the horizon are drawn, the last one perhaps in part. */
+static double
+drawn_horizon (const SceneBuilder *builder)
+{
+  const SceneLook *look = builder->look;
+  const uint32_t n = builder->frame->n_horizon;
+  const uint32_t before = round_of (builder)->first_horizon - 1;
+  const uint32_t n_old = look->since > before ? look->since - before : 0;
+
+  return n_old >= n ? n : n - look->moving * (n - n_old);
+}
+
 void
 scene_add_horizon (SceneBuilder *builder, bool lifted)
 {
   const Frame *frame = builder->frame;
   bool *has_lower;
+  double drawn;
   uint32_t i;
 
   if (frame->n_horizon == 0
       || (frame->place.phase == PHASE_HAND_OVER && frame->base == frame->step))
     return;
+  drawn = drawn_horizon (builder);
   has_lower = find_lower_horizon (builder);
-  for (i = 0; i < frame->n_horizon; i++) {
+  for (i = 0; i < frame->n_horizon && i < drawn; i++) {
     const uint32_t *site = frame->horizon[i].site;
+    const Point3 tail = scene_at (builder, site[0], lifted);
+    const Point3 head = scene_at (builder, site[1], lifted);
 
-    scene_add_edge (builder,
-                    has_lower[site[0]] ? ROLE_HORIZON : ROLE_HORIZON_UPPER,
-                    (Object){ OBJECT_NONE, 0 }, site, lifted);
+    scene_add_segment (
+        builder, has_lower[site[0]] ? ROLE_HORIZON : ROLE_HORIZON_UPPER,
+        (Object){ OBJECT_NONE, 0 },
+        (Point3[2]){ tail,
+                     drawn - i < 1 ? between (tail, head, drawn - i) : head });
   }
   free (has_lower);
 }

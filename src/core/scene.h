@@ -216,6 +216,11 @@ typedef struct SceneLook {
   Object selection, hover;
   Object measured; /* LAYER_WHY: the site whose power is told, when the
                       pointer is on none */
+  /* While a step is on its way: of what came after step `since` this part is
+   * still to be drawn. The horizon grows round its loop, cone facets from
+   * their ridge to the apex. 0: at rest. */
+  double moving;
+  uint32_t since;
   bool has_preview;
   Site preview; /* LAYER_PREVIEW: where the site would be, as SiteSet.sites */
   const uint32_t *hues; /* SceneItem.hue of each site's cell, n_hues of them;
