@@ -5,48 +5,90 @@
 
 const LookCase look_cases[] = {
   { .name = "lecture8-start", .sites = "lecture8" },
-  { "lecture8-choose", "lecture8", { 1, PHASE_CHOOSE }, 0, { 0 }, THEME_LIGHT },
-  { "lecture8-see", "lecture8", { 4, PHASE_SEE }, 0, { 0 }, THEME_LIGHT },
-  { "lecture8-horizon",
-    "lecture8",
-    { 3, PHASE_HORIZON },
-    0,
-    { 0 },
-    THEME_LIGHT },
-  { "lecture8-cone", "lecture8", { 4, PHASE_CONE }, 0, { 0 }, THEME_LIGHT },
-  { "lecture8-hand-over",
-    "lecture8",
-    { 4, PHASE_HAND_OVER },
-    0,
-    { 0 },
-    THEME_LIGHT },
-  { "lecture8-selected",
-    "lecture8",
-    { 0, PHASE_COMPLETE },
-    LAYER_CIRCLES,
-    { OBJECT_FACET, 17 },
-    THEME_LIGHT },
-  { "mixed8-see-upper", "mixed8", { 2, PHASE_SEE }, 0, { 0 }, THEME_LIGHT },
-  { "mixed8-cone-both", "mixed8", { 4, PHASE_CONE }, 0, { 0 }, THEME_LIGHT },
-  { "grid9-end",
-    "grid9",
-    { 0, PHASE_COMPLETE },
-    0,
-    { OBJECT_SITE, 4 },
-    THEME_LIGHT },
-  { "square4-end", "square4", { 0, PHASE_COMPLETE }, 0, { 0 }, THEME_LIGHT },
-#define THEME_CASES(name, theme)                                               \
-  { name "-see", "lecture8", { 4, PHASE_SEE }, 0, { 0 }, theme },              \
-      { name "-selected", "lecture8",           { 0, PHASE_COMPLETE },         \
-        LAYER_CIRCLES,    { OBJECT_FACET, 17 }, theme },                       \
+  { .name = "lecture8-choose",
+    .sites = "lecture8",
+    .place = { 1, PHASE_CHOOSE } },
+  { .name = "lecture8-see", .sites = "lecture8", .place = { 4, PHASE_SEE } },
+  { .name = "lecture8-horizon",
+    .sites = "lecture8",
+    .place = { 3, PHASE_HORIZON } },
+  { .name = "lecture8-cone", .sites = "lecture8", .place = { 4, PHASE_CONE } },
+  { .name = "lecture8-hand-over",
+    .sites = "lecture8",
+    .place = { 4, PHASE_HAND_OVER } },
+  { .name = "lecture8-selected",
+    .sites = "lecture8",
+    .place = { 0, PHASE_COMPLETE },
+    .layers = LAYER_CIRCLES,
+    .selection = { OBJECT_FACET, 17 } },
+  { .name = "mixed8-see-upper", .sites = "mixed8", .place = { 2, PHASE_SEE } },
+  { .name = "mixed8-cone-both", .sites = "mixed8", .place = { 4, PHASE_CONE } },
+  { .name = "grid9-end",
+    .sites = "grid9",
+    .place = { 0, PHASE_COMPLETE },
+    .selection = { OBJECT_SITE, 4 } },
+  { .name = "square4-end", .sites = "square4", .place = { 0, PHASE_COMPLETE } },
+#define THEME_CASES(prefix, kind)                                              \
+  { .name = prefix "-see",                                                     \
+    .sites = "lecture8",                                                       \
+    .place = { 4, PHASE_SEE },                                                 \
+    .theme = kind },                                                           \
+      { .name = prefix "-selected",                                            \
+        .sites = "lecture8",                                                   \
+        .place = { 0, PHASE_COMPLETE },                                        \
+        .layers = LAYER_CIRCLES,                                               \
+        .selection = { OBJECT_FACET, 17 },                                     \
+        .theme = kind },                                                       \
   {                                                                            \
-    name "-cone", "mixed8", { 4, PHASE_CONE }, 0, { 0 }, theme                 \
+    .name = prefix "-cone", .sites = "mixed8", .place = { 4, PHASE_CONE },     \
+    .theme = kind                                                              \
   }
   THEME_CASES ("paper", THEME_PAPER),
   THEME_CASES ("projector", THEME_PROJECTOR),
   THEME_CASES ("dark", THEME_DARK),
   THEME_CASES ("print", THEME_PRINT),
   THEME_CASES ("contrast", THEME_CONTRAST),
+  { .name = "furthest8-furthest",
+    .sites = "furthest8",
+    .place = { 0, PHASE_COMPLETE },
+    .layers = LAYER_FURTHEST,
+    .hidden = LAYER_VORONOI | LAYER_DELAUNAY },
+  { .name = "lecture8-tangents",
+    .sites = "lecture8",
+    .place = { 0, PHASE_COMPLETE },
+    .layers = LAYER_TANGENTS,
+    .hidden = LAYER_VORONOI | LAYER_HULL },
+  { .name = "lecture8-why",
+    .sites = "lecture8",
+    .place = { 0, PHASE_COMPLETE },
+    .layers = LAYER_WHY,
+    .selection = { OBJECT_FACET, 17 },
+    .measured = { OBJECT_SITE, 4 } },
+  { .name = "mixed8-why-in-round",
+    .sites = "mixed8",
+    .place = { 3, PHASE_SEE },
+    .layers = LAYER_WHY,
+    .selection = { OBJECT_FACET, 7 } },
+  { .name = "mixed8-half-lifted",
+    .sites = "mixed8",
+    .place = { 0, PHASE_COMPLETE },
+    .unlift = 0.6 },
+  { .name = "lecture8-preview",
+    .sites = "lecture8",
+    .place = { 0, PHASE_COMPLETE },
+    .has_preview = true,
+    .preview = { -0.25, -0.125 } },
+  { .name = "lecture8-look-up",
+    .sites = "lecture8",
+    .place = { 0, PHASE_COMPLETE },
+    .camera = CAMERA_LOOK_UP },
+  { .name = "cross5-horizon",
+    .sites = "cross5",
+    .place = { 1, PHASE_HORIZON } },
+  { .name = "wheel8-see", .sites = "wheel8", .place = { 4, PHASE_SEE } },
+  { .name = "vertical5-see", .sites = "vertical5", .place = { 1, PHASE_SEE } },
+  { .name = "tie6-end", .sites = "tie6", .place = { 0, PHASE_COMPLETE } },
+  { .name = "line4-end", .sites = "line4", .place = { 0, PHASE_COMPLETE } },
 };
 
 const guint look_n_cases = G_N_ELEMENTS (look_cases);
@@ -67,7 +109,13 @@ look_scene_init (LookScene *look, const LookCase *what, PictureView view)
   frame_init (&look->frame, look->fixture->trace, step);
   picture_init (&picture, view, &look->frame);
   picture.look.layers |= what->layers;
+  picture.look.layers &= ~what->hidden;
   picture.look.selection = what->selection;
+  picture.look.measured = what->measured;
+  picture.look.lift = 1 - what->unlift;
+  picture.look.has_preview = what->has_preview;
+  picture.look.preview = what->preview;
+  camera_init (&picture.camera, what->camera);
   if (view == PICTURE_PLANE) {
     look->projection
         = plane_camera_projection (&picture.plane_camera, LOOK_SIDE, LOOK_SIDE);

@@ -20,6 +20,12 @@ typedef struct LookCase {
   uint32_t layers; /* more than the default ones */
   Object selection;
   ThemeKind theme;
+  uint32_t hidden; /* layers of the default ones */
+  Object measured;
+  double unlift; /* 1 - lift */
+  bool has_preview;
+  Site preview;
+  CameraPreset camera;
 } LookCase;
 
 extern const LookCase look_cases[];

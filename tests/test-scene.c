@@ -530,6 +530,28 @@ test_dual_edges (void)
   g_assert_cmpuint (n_pairs, >=, 8);
 }
 
+/* A vertical facet that is seen shows in the plane as its hull edge. */
+static void
+test_seen_edges (void)
+{
+  g_autoptr (Stage) stage = stage_new ("square5", 1, PHASE_SEE);
+  g_autoptr (Stage) vertical = stage_new ("vertical5", 1, PHASE_SEE);
+  guint i, n = 0;
+
+  g_assert_cmpuint (count_role (&stage->plane, ROLE_SEEN_EDGE), ==, 1);
+  for (i = 0; i < vertical->plane.n_items; i++) {
+    const SceneItem *item = &vertical->plane.items[i];
+    const Point3 *p = &vertical->plane.points[item->first];
+
+    if (item->role != ROLE_SEEN_EDGE)
+      continue;
+    n++;
+    g_assert_cmpfloat (p[0].y, ==, p[1].y);
+    g_assert_cmpfloat (fabs (p[0].x - p[1].x), ==, 2);
+  }
+  g_assert_cmpuint (n, ==, 1);
+}
+
 /* Flat input has pictures too: triangles and their lifts, or a line. */
 static void
 test_flat (void)
@@ -540,7 +562,8 @@ test_flat (void)
   g_assert_cmpuint (count_role (&square->plane, ROLE_TRIANGLE), ==, 2);
   g_assert_cmpuint (count_role (&square->plane, ROLE_FREE_EDGE), ==, 1);
   g_assert_cmpuint (count_role (&square->plane, ROLE_VORONOI_EDGE), ==, 4);
-  g_assert_cmpuint (count_role (&square->plane, ROLE_VORONOI_VERTEX), ==, 1);
+  g_assert_cmpuint (count_role (&square->plane, ROLE_VORONOI_VERTEX_TIED), ==,
+                    1);
   g_assert_cmpuint (count_role (&square->plane, ROLE_CELL), ==, 4);
   g_assert_cmpuint (count_role (&square->space, ROLE_LOWER), ==, 2);
   g_assert_cmpuint (count_role (&start->plane, ROLE_SITE_WAITING), ==, 8);
@@ -779,6 +802,8 @@ main (int argc, char **argv)
                    test_cells);
   g_test_add_func ("/scene/counterparts-are-lit-together", test_counterparts);
   g_test_add_func ("/scene/dual-edges-have-one-name", test_dual_edges);
+  g_test_add_func ("/scene/a-vertical-facet-that-is-seen-is-a-hull-edge",
+                   test_seen_edges);
   g_test_add_func ("/scene/flat-input-has-pictures", test_flat);
   g_test_add_func ("/scene/scale-and-place-do-not-matter", test_scale);
   g_test_add_func ("/scene/the-last-bits-are-drawn-right", test_last_bits);

@@ -163,6 +163,31 @@ test_every_edit_can_be_undone (void)
   g_assert_cmpfloat (site_set_given (session_get_set (session), 3).x, ==, 0.25);
 }
 
+/* What is cancelled leaves no trace: not in the sites, not in the step, not in
+ * what can be undone or redone. */
+static void
+test_a_cancelled_edit_has_not_been (void)
+{
+  g_autoptr (Session) session = session_new ();
+  g_autofree char *label = NULL;
+
+  session_add_site (session, (Site){ 0, 0 }, NULL);
+  session_add_site (session, (Site){ 1, 0 }, NULL);
+  label = g_strdup (session_get_undo_label (session));
+  session_begin_edit (session);
+  session_add_site (session, (Site){ 0, 1 }, NULL);
+  session_move_site (session, 2, (Site){ 0, 2 }, NULL);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 3);
+  session_cancel_edit (session);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 2);
+  g_assert_cmpstr (session_get_undo_label (session), ==, label);
+  g_assert_null (session_get_redo_label (session));
+  session_cancel_edit (session);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 2);
+  g_assert_true (session_undo (session));
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 1);
+}
+
 static void
 test_an_edit_forgets_what_was_undone (void)
 {
@@ -451,6 +476,8 @@ static const struct {
   { "/session/a-drag-is-one-edit", test_a_drag_is_one_edit },
   { "/session/two-drags-are-two-edits", test_two_drags_are_two_edits },
   { "/session/every-edit-can-be-undone", test_every_edit_can_be_undone },
+  { "/session/a-cancelled-edit-has-not-been",
+    test_a_cancelled_edit_has_not_been },
   { "/session/an-edit-forgets-what-was-undone",
     test_an_edit_forgets_what_was_undone },
   { "/session/sites-that-do-not-exist-are-refused",

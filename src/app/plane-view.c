@@ -1,6 +1,7 @@
 #include "plane-view.h"
 
 #include "canvas-input.h"
+#include "hold-insert.h"
 #include "site-edit.h"
 #include "site-preview.h"
 #include "step-motion.h"
@@ -284,4 +285,5 @@ plane_view_init (PlaneView *view)
 {
   view->motion = step_motion_new (HULL2VD_CANVAS (view));
   site_preview_attach (HULL2VD_CANVAS (view));
+  hold_insert_attach (HULL2VD_CANVAS (view));
 }

@@ -7,8 +7,8 @@
 /* Nearer to a site than this the pointer is on it. */
 #define SITE_REACH_PX 12.0
 
-static gboolean
-is_on_any_site (Canvas *canvas, const double at_px[2])
+gboolean
+site_preview_is_on_site (Canvas *canvas, const double at_px[2])
 {
   Session *session = canvas_get_session (canvas);
   const SceneLook *look = session_get_look (session);
@@ -56,7 +56,7 @@ on_motion (GtkEventController *controller, double x, double y, Canvas *canvas)
   Site site;
 
   (void)controller;
-  if (is_pressed () || is_on_any_site (canvas, at_px)
+  if (is_pressed () || site_preview_is_on_site (canvas, at_px)
       || (session_get_look (session)->layers & LAYER_PREVIEW) == 0) {
     session_set_preview (session, NULL);
     return;

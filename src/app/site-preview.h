@@ -11,6 +11,9 @@ G_BEGIN_DECLS
 /* Follows the pointer over @canvas, a plane view, for as long as it lives. */
 void site_preview_attach (Canvas *canvas);
 
+/* Returns: whether a pixel is on the mark of a site. */
+gboolean site_preview_is_on_site (Canvas *canvas, const double at_px[2]);
+
 G_END_DECLS
 
 #endif

@@ -139,6 +139,7 @@ void scene_add_contours (SceneBuilder *builder, const Point3 box[2]);
 void scene_add_circles (SceneBuilder *builder, const Point3 box[2]);
 void scene_add_triangles (SceneBuilder *builder);
 void scene_add_delaunay_edges (SceneBuilder *builder);
+void scene_add_seen_edges (SceneBuilder *builder);
 void scene_add_cone_shadow (SceneBuilder *builder);
 
 /* The same in the plane, or in space when @lifted. */

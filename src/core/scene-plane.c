@@ -63,6 +63,7 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
     scene_add_voronoi_edges (diagram);
   scene_add_circles (&builder, box);
   scene_add_delaunay_edges (&builder);
+  scene_add_seen_edges (&builder);
   scene_add_furthest (&builder, box);
   scene_add_cone_shadow (&builder);
   scene_add_cone_edges (&builder, false);

@@ -198,6 +198,50 @@ is_lower (const SceneBuilder *builder, uint32_t facet)
   return builder->frame->trace->facets[facet].facing == FACING_LOWER;
 }
 
+/* The shadow of a vertical facet is the segment between its outer two
+ * corners: those that lie furthest apart. */
+static void
+add_seen_edge (SceneBuilder *builder, uint32_t facet)
+{
+  const uint32_t *site = scene_facet_sites (builder, facet);
+  double most = -1;
+  uint32_t ends[2] = { site[0], site[1] };
+  int k;
+
+  for (k = 0; k < 3; k++) {
+    const Point3 a = scene_at (builder, site[k], false);
+    const Point3 b = scene_at (builder, site[(k + 1) % 3], false);
+    const double squared
+        = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+
+    if (squared <= most)
+      continue;
+    most = squared;
+    ends[0] = site[k];
+    ends[1] = site[(k + 1) % 3];
+  }
+  scene_add_edge (builder, ROLE_SEEN_EDGE, (Object){ OBJECT_FACET, facet },
+                  ends, false);
+}
+
+/* The site in hand lies beyond the hull edges of vertical facets that it
+ * sees; no triangle would tell. */
+void
+scene_add_seen_edges (SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+
+  for (i = 0; i < frame->n_facets; i++) {
+    const uint32_t facet = frame->facets[i].facet;
+
+    if ((frame->facets[i].roles & FACET_VISIBLE)
+        && !(frame->facets[i].roles & FACET_RETIRED)
+        && frame->trace->facets[facet].facing == FACING_VERTICAL)
+      add_seen_edge (builder, facet);
+  }
+}
+
 void
 scene_add_cone_shadow (SceneBuilder *builder)
 {
@@ -310,16 +354,19 @@ scene_add_horizon (SceneBuilder *builder, bool lifted)
     return;
   drawn = drawn_horizon (builder);
   has_lower = find_lower_horizon (builder);
-  for (i = 0; i < frame->n_horizon && i < drawn; i++) {
+  /* What is not drawn yet is there, unseen: the legend tells of it. */
+  for (i = 0; i < frame->n_horizon; i++) {
     const uint32_t *site = frame->horizon[i].site;
+    const double part = drawn - i < 0 ? 0 : drawn - i < 1 ? drawn - i : 1;
     const Point3 tail = scene_at (builder, site[0], lifted);
     const Point3 head = scene_at (builder, site[1], lifted);
 
     scene_add_segment (
         builder, has_lower[site[0]] ? ROLE_HORIZON : ROLE_HORIZON_UPPER,
         (Object){ OBJECT_NONE, 0 },
-        (Point3[2]){ tail,
-                     drawn - i < 1 ? between (tail, head, drawn - i) : head });
+        (Point3[2]){ tail, part < 1 ? between (tail, head, part) : head });
+    if (!(part > 0))
+      builder->scene->items[builder->scene->n_items - 1].fade = 1;
   }
   free (has_lower);
 }

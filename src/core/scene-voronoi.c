@@ -243,11 +243,30 @@ is_inside (const SceneDiagram *diagram, Point3 at)
          && diagram->low.y <= at.y && at.y <= diagram->high.y;
 }
 
+/* Returns: per vertex, whether more than one triangle has its circle; free
+ *          with free(). */
+static bool *
+find_tied (const Voronoi *voronoi)
+{
+  const Delaunay *delaunay = voronoi->delaunay;
+  bool *is_tied = memory_new (voronoi->n_vertices, sizeof *is_tied);
+  uint32_t i;
+
+  for (i = 0; i < delaunay->n_triangles; i++) {
+    const uint32_t group = delaunay->triangles[i].group;
+
+    if (voronoi->vertices[group].triangle != i)
+      is_tied[group] = true;
+  }
+  return is_tied;
+}
+
 void
 scene_add_voronoi_vertices (SceneDiagram *diagram)
 {
   SceneBuilder *builder = diagram->builder;
   const bool *is_dying = builder->frame->is_dying;
+  bool *is_tied = find_tied (diagram->voronoi);
   uint32_t i;
 
   for (i = 0; i < diagram->voronoi->n_vertices; i++) {
@@ -256,8 +275,10 @@ scene_add_voronoi_vertices (SceneDiagram *diagram)
     if (is_inside (diagram, at)
         && (is_dying[i] || scene_has_layer (builder, LAYER_VORONOI)))
       scene_add_mark (builder,
-                      is_dying[i] ? ROLE_VORONOI_VERTEX_DYING
-                                  : ROLE_VORONOI_VERTEX,
+                      is_dying[i]  ? ROLE_VORONOI_VERTEX_DYING
+                      : is_tied[i] ? ROLE_VORONOI_VERTEX_TIED
+                                   : ROLE_VORONOI_VERTEX,
                       scene_vertex_object (builder, i), at, NULL);
   }
+  free (is_tied);
 }

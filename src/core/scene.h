@@ -85,7 +85,8 @@ typedef enum Role {
   ROLE_FREE_EDGE,        /* inside a circle group: any diagonal would do */
   ROLE_RIDGE,            /* of the hull in space */
   ROLE_VISIBLE_EDGE,     /* ridge or Delaunay edge of a visible facet */
-  ROLE_CONE_EDGE,        /* ridge or Delaunay edge from the new site */
+  ROLE_SEEN_EDGE, /* in the plane: hull edge of a visible vertical facet */
+  ROLE_CONE_EDGE, /* ridge or Delaunay edge from the new site */
   ROLE_HORIZON,
   ROLE_HORIZON_UPPER, /* its part between facets that are not lower */
   ROLE_LIFT,          /* from a site to its lift */
@@ -95,6 +96,7 @@ typedef enum Role {
   ROLE_GAP,  /* from a site's lift straight to the plane of a facet */
   ROLE_LIT,  /* outline of a lit facet or triangle */
   ROLE_VORONOI_VERTEX,
+  ROLE_VORONOI_VERTEX_TIED, /* of a circle through four sites or more */
   ROLE_VORONOI_VERTEX_DYING,
   ROLE_FURTHEST_VERTEX,
   ROLE_PREVIEW_SITE,

@@ -88,6 +88,9 @@ static const Row rows[N_ROLES] = {
   [ROLE_RIDGE] = { .line = INK_RIDGE, .style = { .width = 1.5 } },
   [ROLE_VISIBLE_EDGE]
   = { .line = INK_VISIBLE, .style = { .width = 2.8, .casing = 5 } },
+  [ROLE_SEEN_EDGE]
+  = { .line = INK_VISIBLE_UPPER,
+      .style = { .width = 5, .dash = 5, .gap = 3, .casing = 8 } },
   [ROLE_CONE_EDGE]
   = { .line = INK_CONE_LINE, .style = { .width = 3.8, .casing = 6 } },
   [ROLE_HORIZON]
@@ -107,6 +110,10 @@ static const Row rows[N_ROLES] = {
   [ROLE_LIT] = { .line = INK_APEX, .style = { .width = 3, .casing = 5.5 } },
   [ROLE_VORONOI_VERTEX]
   = { .line = INK_VORONOI, .style = { .mark = MARK_DOT, .radius = 2.3 } },
+  [ROLE_VORONOI_VERTEX_TIED]
+  = { .fill = INK_PAPER,
+      .line = INK_VORONOI,
+      .style = { .width = 1.8, .mark = MARK_RINGED, .radius = 3 } },
   [ROLE_VORONOI_VERTEX_DYING]
   = { .fill = INK_PAPER,
       .line = INK_VISIBLE,

@@ -78,6 +78,14 @@ history_amend (History *history, Snapshot after)
   edit->after = after;
 }
 
+void
+history_drop (History *history)
+{
+  g_assert (history->n_done > 0 && history->n_done == history->edits->len);
+  history->n_done -= 1;
+  g_ptr_array_set_size (history->edits, (int)history->n_done);
+}
+
 /* Returns: the edit that would be undone, or NULL. */
 static const Edit *
 last_done (const History *history)

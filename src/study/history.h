@@ -36,6 +36,9 @@ history_push (History *history, Snapshot before, Snapshot after, char *edit);
  * Owns: takes what @after holds. */
 void history_amend (History *history, Snapshot after);
 
+/* Forgets the last edit, which has been taken back. */
+void history_drop (History *history);
+
 /* Steps back (forward) and returns: the sites to show, borrowed, or NULL
  * when there is nothing to undo (redo). */
 const Snapshot *history_undo (History *history);

@@ -251,6 +251,28 @@ session_end_edit (Session *session)
   g_clear_pointer (&session->drag_run, run_unref);
 }
 
+void
+session_cancel_edit (Session *session)
+{
+  const guint step = session->drag_step;
+  Run *run;
+
+  if (!session->is_dragging)
+    return;
+  run = run_ref (session->drag_run);
+  session_hold (session);
+  if (session->has_dragged)
+    history_drop (session->history);
+  session_end_edit (session);
+  session_put_run (session, run, step);
+  session_set_hover (session, (Object){ OBJECT_NONE, 0 });
+  session_set_selection (
+      session, keep_object (session->look.selection, run->set->n_sites));
+  session_fit_extent (session, FALSE);
+  session_tell (session, CHANGED_HISTORY);
+  session_release (session);
+}
+
 /* Shows what the history tells; the place in time is kept. */
 static gboolean
 show_snapshot (Session *session, const Snapshot *snapshot)

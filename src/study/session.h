@@ -78,6 +78,8 @@ gboolean session_remove_site (Session *session, guint site, GError **error);
 /* Moves between begin and end are one edit for undo (a drag). */
 void session_begin_edit (Session *session);
 void session_end_edit (Session *session);
+/* Ends it as if it had not been; it cannot be redone. */
+void session_cancel_edit (Session *session);
 
 gboolean session_undo (Session *session);
 gboolean session_redo (Session *session);

@@ -1,0 +1,154 @@
+#include "hold-insert.h"
+
+#include "site-edit.h"
+#include "site-preview.h"
+
+typedef struct HoldInsert {
+  Canvas *canvas;
+  GtkGesture *press, *drag;
+  gboolean is_holding;
+  guint site;         /* that is held */
+  double start_px[2]; /* where the button went down */
+  double at_px[2];
+} HoldInsert;
+
+static void
+hold_insert_free (gpointer user)
+{
+  HoldInsert *hold = user;
+
+  g_object_unref (hold->press);
+  g_object_unref (hold->drag);
+  g_free (hold);
+}
+
+static gboolean
+is_by_touch (GtkGesture *gesture)
+{
+  const GdkEvent *event = gtk_gesture_get_last_event (
+      gesture,
+      gtk_gesture_single_get_current_sequence (GTK_GESTURE_SINGLE (gesture)));
+  GdkDevice *device
+      = event == NULL ? NULL : gdk_event_get_source_device (event);
+
+  return device != NULL
+         && gdk_device_get_source (device) == GDK_SOURCE_TOUCHSCREEN;
+}
+
+static Point3
+point_at (Canvas *canvas, const double at_px[2])
+{
+  const Projection projection = canvas_get_projection (canvas);
+
+  return projection_unapply (&projection, at_px[0], at_px[1]);
+}
+
+/* The sequence is this gesture's from here on: it is no click and no pan. */
+static void
+on_pressed (GtkGesture *gesture, double x, double y, HoldInsert *hold)
+{
+  Session *session = canvas_get_session (hold->canvas);
+  const guint n_sites = session_get_set (session)->n_sites;
+  const double at_px[2] = { x, y };
+
+  if (is_by_touch (gesture) || site_preview_is_on_site (hold->canvas, at_px))
+    return;
+  gtk_gesture_set_state (gesture, GTK_EVENT_SEQUENCE_CLAIMED);
+  session_begin_edit (session);
+  site_edit_add (hold->canvas, point_at (hold->canvas, at_px));
+  if (session_get_set (session)->n_sites == n_sites) {
+    session_end_edit (session);
+    return;
+  }
+  hold->is_holding = TRUE;
+  hold->site = n_sites;
+  hold->start_px[0] = hold->at_px[0] = x;
+  hold->start_px[1] = hold->at_px[1] = y;
+  canvas_set_moving (hold->canvas, TRUE);
+}
+
+static void
+release (HoldInsert *hold, gboolean is_kept)
+{
+  Session *session = canvas_get_session (hold->canvas);
+
+  if (!hold->is_holding)
+    return;
+  hold->is_holding = FALSE;
+  canvas_set_moving (hold->canvas, FALSE);
+  if (is_kept) {
+    session_end_edit (session);
+    return;
+  }
+  canvas_set_cursor (hold->canvas, (Object){ OBJECT_NONE, 0 });
+  session_cancel_edit (session);
+}
+
+static void
+on_drag_update (GtkGesture *gesture, double dx, double dy, HoldInsert *hold)
+{
+  (void)gesture;
+  if (!hold->is_holding)
+    return;
+  hold->at_px[0] = hold->start_px[0] + dx;
+  hold->at_px[1] = hold->start_px[1] + dy;
+  site_edit_move (hold->canvas, hold->site,
+                  point_at (hold->canvas, hold->at_px));
+}
+
+static gboolean
+is_inside (HoldInsert *hold)
+{
+  GtkWidget *widget = GTK_WIDGET (hold->canvas);
+
+  return hold->at_px[0] >= 0 && hold->at_px[1] >= 0
+         && hold->at_px[0] < gtk_widget_get_allocated_width (widget)
+         && hold->at_px[1] < gtk_widget_get_allocated_height (widget);
+}
+
+static void
+on_drag_end (GtkGesture *gesture, double dx, double dy, HoldInsert *hold)
+{
+  (void)gesture;
+  (void)dx;
+  (void)dy;
+  release (hold, is_inside (hold));
+}
+
+static void
+on_cancel (GtkGesture *gesture, GdkEventSequence *sequence, HoldInsert *hold)
+{
+  (void)gesture;
+  (void)sequence;
+  release (hold, FALSE);
+}
+
+static gboolean
+on_key (GtkWidget *widget, GdkEventKey *event, HoldInsert *hold)
+{
+  (void)widget;
+  if (!hold->is_holding || event->keyval != GDK_KEY_Escape)
+    return GDK_EVENT_PROPAGATE;
+  release (hold, FALSE);
+  return GDK_EVENT_STOP;
+}
+
+void
+hold_insert_attach (Canvas *canvas)
+{
+  GtkWidget *widget = GTK_WIDGET (canvas);
+  HoldInsert *hold = g_new0 (HoldInsert, 1);
+
+  hold->canvas = canvas;
+  hold->press = gtk_gesture_long_press_new (widget);
+  hold->drag = gtk_gesture_drag_new (widget);
+  gtk_gesture_group (hold->drag, hold->press);
+  g_signal_connect (hold->press, "pressed", G_CALLBACK (on_pressed), hold);
+  g_signal_connect (hold->drag, "drag-update", G_CALLBACK (on_drag_update),
+                    hold);
+  g_signal_connect (hold->drag, "drag-end", G_CALLBACK (on_drag_end), hold);
+  g_signal_connect (hold->drag, "cancel", G_CALLBACK (on_cancel), hold);
+  g_signal_connect (widget, "key-press-event", G_CALLBACK (on_key), hold);
+  g_object_set_data_full (G_OBJECT (canvas), "hold-insert", hold,
+                          hold_insert_free);
+}
