@@ -13,6 +13,7 @@ typedef enum DragMode {
   DRAG_NONE, /* not moved yet: may still be a click */
   DRAG_PAN,
   DRAG_OBJECT, /* the view drags something itself */
+  DRAG_GIVEN_UP,
 } DragMode;
 
 typedef struct CanvasInput {
@@ -100,6 +101,8 @@ on_drag_update (GtkGesture *gesture, double dx, double dy, Canvas *canvas)
   const double by_px[2]
       = { to_px[0] - input->last_px[0], to_px[1] - input->last_px[1] };
 
+  if (input->mode == DRAG_GIVEN_UP)
+    return;
   if (input->mode == DRAG_NONE) {
     if (hypot (dx, dy) < CLICK_PX)
       return;
@@ -123,7 +126,7 @@ finish_dragging (Canvas *canvas)
   input->mode = DRAG_NONE;
   if (mode == DRAG_OBJECT)
     get_class (canvas)->drag_end (canvas);
-  if (mode != DRAG_NONE)
+  if (mode == DRAG_PAN || mode == DRAG_OBJECT)
     canvas_set_moving (canvas, FALSE);
 }
 
@@ -141,6 +144,14 @@ on_drag_end (GtkGesture *gesture, double dx, double dy, Canvas *canvas)
     get_class (canvas)->click (canvas, &input->press);
   input->is_click = FALSE;
   finish_dragging (canvas);
+}
+
+void
+canvas_input_give_up (Canvas *canvas)
+{
+  get_input (canvas)->is_click = FALSE;
+  finish_dragging (canvas);
+  get_input (canvas)->mode = DRAG_GIVEN_UP;
 }
 
 static void

@@ -30,6 +30,9 @@ canvas_input_attach (Canvas *canvas,
 /* Returns: whether the key is an arrow; @by gets its direction, y down. */
 gboolean canvas_arrow (guint keyval, double by[2]);
 
+/* What was pressed is no click and no drag: another gesture has it. */
+void canvas_input_give_up (Canvas *canvas);
+
 G_END_DECLS
 
 #endif

@@ -1,5 +1,6 @@
 #include "hold-insert.h"
 
+#include "canvas-input.h"
 #include "site-edit.h"
 #include "site-preview.h"
 
@@ -43,7 +44,6 @@ point_at (Canvas *canvas, const double at_px[2])
   return projection_unapply (&projection, at_px[0], at_px[1]);
 }
 
-/* The sequence is this gesture's from here on: it is no click and no pan. */
 static void
 on_pressed (GtkGesture *gesture, double x, double y, HoldInsert *hold)
 {
@@ -53,7 +53,7 @@ on_pressed (GtkGesture *gesture, double x, double y, HoldInsert *hold)
 
   if (is_by_touch (gesture) || site_preview_is_on_site (hold->canvas, at_px))
     return;
-  gtk_gesture_set_state (gesture, GTK_EVENT_SEQUENCE_CLAIMED);
+  canvas_input_give_up (hold->canvas);
   session_begin_edit (session);
   site_edit_add (hold->canvas, point_at (hold->canvas, at_px));
   if (session_get_set (session)->n_sites == n_sites) {

@@ -119,6 +119,8 @@ add_row (GtkGrid *grid, Sliders *sliders, guint i)
   gtk_scale_set_draw_value (GTK_SCALE (scale), FALSE);
   gtk_widget_set_size_request (scale, SLIDER_WIDTH, -1);
   gtk_widget_set_tooltip_text (scale, _ (rows[i].tooltip));
+  atk_object_set_name (gtk_widget_get_accessible (scale),
+                       gtk_label_get_text (GTK_LABEL (label)));
   sliders->ranges[i] = GTK_RANGE (scale);
   g_signal_connect (scale, "value-changed", G_CALLBACK (on_value), sliders);
   gtk_grid_attach (grid, label, 0, (int)i, 1, 1);
