@@ -16,6 +16,7 @@ static const CliCommand commands[] = {
   { "trace", "POINTS", N_ ("Write what happens, one event a line"), cli_trace },
   { "replay", "LESSON…", N_ ("Play lessons and check what they expect"),
     cli_replay },
+  { "lint", "LESSON…", N_ ("Tell all that is wrong with lessons"), cli_lint },
   { "export", "POINTS|LESSON", N_ ("Write a picture: SVG, PDF or PNG"),
     cli_export },
   { "storyboard", "LESSON", N_ ("Write the stops of a lesson as PDF"),

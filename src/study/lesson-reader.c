@@ -1,11 +1,10 @@
 /* Reads a lesson: libcmark finds the blocks, this file says what they mean,
- * lesson-block.c reads the lines in them. */
-#include "lesson-block.h"
-#include "lesson-source.h"
-#include "stop-state.h"
-#include "words.h"
+ * lesson-fence.c what blocks of commands do, lesson-block.c reads their
+ * lines. */
+#include "lesson-reader.h"
 
-#include <cmark.h>
+#include "stop-state.h"
+
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -15,35 +14,21 @@
 #define MAX_PROSE_BYTES (256 << 10)
 #define MAX_TITLE 200 /* characters */
 
-typedef struct Reader {
-  const LessonSource *source;
-  const char *folder; /* of the lesson, for files of sites */
-  Lesson *lesson;
-  LessonStop *stop;  /* the one being read; NULL before the first */
-  guint lesson_line; /* of the lesson block; 0: not yet */
-  guint steps_line;  /* of the stop's last steps block; 0: not yet */
-  guint ask_line;    /* of the stop's ask block; 0: not yet */
-  guint n_commands;
-  gsize n_prose;
-  GString *prose, *note;
-  LessonFaults *faults;
-} Reader;
-
-static guint
-line_of (cmark_node *node)
+guint
+lesson_node_line (cmark_node *node)
 {
   return (guint)cmark_node_get_start_line (node);
 }
 
 static gboolean
-blame (Reader *reader, guint line, GError **error, const char *reason)
+blame (LessonReader *reader, guint line, GError **error, const char *reason)
 {
   return lesson_source_blame (reader->source, line, 1, error, "%s", reason);
 }
 
 /* Hands the text gathered so far to the lesson or the stop it belongs to. */
 static void
-end_text (Reader *reader)
+end_text (LessonReader *reader)
 {
   char **prose
       = reader->stop != NULL ? &reader->stop->prose : &reader->lesson->prose;
@@ -67,18 +52,21 @@ append_block (GString *text, cmark_node *node)
   free (block);
 }
 
-static gboolean
-read_prose (Reader *reader, cmark_node *node, GString *text, GError **error)
+gboolean
+lesson_read_prose (LessonReader *reader,
+                   cmark_node *node,
+                   GString *text,
+                   GError **error)
 {
-  const gsize n = lesson_source_bytes (reader->source, line_of (node),
+  const gsize n = lesson_source_bytes (reader->source, lesson_node_line (node),
                                        (guint)cmark_node_get_end_line (node));
 
   if (n > MAX_BLOCK_BYTES)
-    return blame (reader, line_of (node), error,
+    return blame (reader, lesson_node_line (node), error,
                   _ ("a text longer than 16 KB"));
   reader->n_prose += n;
   if (reader->n_prose > MAX_PROSE_BYTES)
-    return blame (reader, line_of (node), error,
+    return blame (reader, lesson_node_line (node), error,
                   _ ("the texts of this lesson are longer than 256 KB"));
   append_block (text, node);
   return TRUE;
@@ -102,20 +90,20 @@ quoted_words (cmark_node *quote)
 
 /* A quotation that begins with "Note:" is for the lecturer. */
 static gboolean
-read_quote (Reader *reader, cmark_node *quote, GError **error)
+read_quote (LessonReader *reader, cmark_node *quote, GError **error)
 {
   const char *words = quoted_words (quote);
   g_autofree char *rest = NULL;
 
   if (!g_str_has_prefix (words, NOTE_MARK))
-    return read_prose (reader, quote, reader->prose, error);
+    return lesson_read_prose (reader, quote, reader->prose, error);
 
   rest = g_strchug (g_strdup (words + strlen (NOTE_MARK)));
   cmark_node_set_literal (
       cmark_node_first_child (cmark_node_first_child (quote)), rest);
   for (cmark_node *node = cmark_node_first_child (quote); node != NULL;
        node = cmark_node_next (node))
-    if (!read_prose (reader, node, reader->note, error))
+    if (!lesson_read_prose (reader, node, reader->note, error))
       return FALSE;
   return TRUE;
 }
@@ -144,7 +132,10 @@ heading_words (cmark_node *heading)
 }
 
 static gboolean
-check_title (Reader *reader, guint line, const char *title, GError **error)
+check_title (LessonReader *reader,
+             guint line,
+             const char *title,
+             GError **error)
 {
   if (*title == '\0')
     return blame (reader, line, error, _ ("a heading without words"));
@@ -155,13 +146,14 @@ check_title (Reader *reader, guint line, const char *title, GError **error)
 }
 
 static gboolean
-read_title (Reader *reader, cmark_node *heading, GError **error)
+read_title (LessonReader *reader, cmark_node *heading, GError **error)
 {
   if (reader->lesson->title != NULL)
-    return blame (reader, line_of (heading), error,
+    return blame (reader, lesson_node_line (heading), error,
                   _ ("a second title; stops are headings of level 2: ## STOP"));
   reader->lesson->title = heading_words (heading);
-  return check_title (reader, line_of (heading), reader->lesson->title, error);
+  return check_title (reader, lesson_node_line (heading), reader->lesson->title,
+                      error);
 }
 
 static void
@@ -182,9 +174,9 @@ stop_free (gpointer data)
 /* A stop begins whatever is wrong with its heading, so that the blocks after
  * it have one to belong to. */
 static gboolean
-begin_stop (Reader *reader, cmark_node *heading, GError **error)
+begin_stop (LessonReader *reader, cmark_node *heading, GError **error)
 {
-  const guint line = line_of (heading);
+  const guint line = lesson_node_line (heading);
   const gboolean has_lesson = reader->lesson_line != 0;
 
   if (reader->lesson->stops->len == LESSON_MAX_STOPS)
@@ -205,7 +197,7 @@ begin_stop (Reader *reader, cmark_node *heading, GError **error)
 }
 
 static gboolean
-read_heading (Reader *reader, cmark_node *heading, GError **error)
+read_heading (LessonReader *reader, cmark_node *heading, GError **error)
 {
   switch (cmark_node_get_heading_level (heading)) {
   case 1:
@@ -213,165 +205,21 @@ read_heading (Reader *reader, cmark_node *heading, GError **error)
   case 2:
     return begin_stop (reader, heading, error);
   default:
-    return read_prose (reader, heading, reader->prose, error);
+    return lesson_read_prose (reader, heading, reader->prose, error);
   }
 }
 
-/* Returns: whether the line begins like a fence of a code block. */
-static gboolean
-is_fence (const LessonSource *source, guint line)
+static void
+note_html (LessonReader *reader, cmark_node *node)
 {
-  gsize length;
-  const char *start = lesson_source_line (source, line, &length);
+  const guint line = lesson_node_line (node);
 
-  start += strspn (start, " ");
-  return g_str_has_prefix (start, "```") || g_str_has_prefix (start, "~~~");
-}
-
-/* A block that is not closed would swallow the rest of the lesson. */
-static gboolean
-check_closed (Reader *reader, cmark_node *block, GError **error)
-{
-  const guint first = line_of (block);
-  const guint last = MIN ((guint)cmark_node_get_end_line (block),
-                          lesson_source_n_lines (reader->source));
-
-  if (!is_fence (reader->source, first)
-      || (last > first && is_fence (reader->source, last)))
-    return TRUE;
-  return blame (reader, first, error,
-                _ ("this block is not closed: its last line must be ```"));
-}
-
-/* The lines inside a fenced block. */
-static LessonLines
-lines_of (cmark_node *block)
-{
-  return (LessonLines){ line_of (block) + 1,
-                        (guint)cmark_node_get_end_line (block) - 1 };
+  if (reader->faults->html_lines->len < LESSON_MAX_FAULTS)
+    g_array_append_val (reader->faults->html_lines, line);
 }
 
 static gboolean
-read_lesson_block (Reader *reader, cmark_node *block, GError **error)
-{
-  const LessonLines lines = lines_of (block);
-  const guint line = line_of (block);
-
-  if (reader->stop != NULL)
-    return blame (reader, line, error,
-                  _ ("the lesson block must stand before the first stop"));
-  if (reader->lesson_line != 0)
-    return lesson_source_blame (reader->source, line, 1, error,
-                                _ ("a second lesson block; the first is in "
-                                   "line %u"),
-                                reader->lesson_line);
-  reader->lesson_line = line;
-  lesson_block_read_head (reader->source, &lines, reader->folder,
-                          reader->lesson, reader->faults);
-  return TRUE;
-}
-
-/* One block of steps, or two round the question: those before it set the
- * scene, those after it answer. */
-static gboolean
-read_steps_block (Reader *reader, cmark_node *block, GError **error)
-{
-  const LessonLines lines = lines_of (block);
-  const guint line = line_of (block);
-
-  if (reader->stop == NULL)
-    return blame (reader, line, error,
-                  _ ("a steps block belongs to a stop: put ## STOP before it"));
-  if (reader->steps_line > reader->ask_line)
-    return lesson_source_blame (reader->source, line, 1, error,
-                                _ ("a second steps block in this stop; the "
-                                   "first is in line %u"),
-                                reader->steps_line);
-  reader->steps_line = line;
-  lesson_block_read_steps (reader->source, &lines, &reader->n_commands,
-                           reader->stop->commands, reader->faults);
-  return TRUE;
-}
-
-static gboolean
-read_ask_block (Reader *reader, cmark_node *block, GError **error)
-{
-  const LessonLines lines = lines_of (block);
-  const guint line = line_of (block);
-
-  if (reader->stop == NULL)
-    return blame (reader, line, error,
-                  _ ("an ask block belongs to a stop: put ## STOP before it"));
-  if (reader->ask_line != 0)
-    return lesson_source_blame (reader->source, line, 1, error,
-                                _ ("a second question in this stop; the first "
-                                   "is in line %u"),
-                                reader->ask_line);
-  reader->ask_line = line;
-  reader->stop->n_setup = reader->stop->commands->len;
-  reader->stop->question
-      = question_parse (reader->source, &lines, reader->faults);
-  return TRUE;
-}
-
-static gboolean
-refuse_block (Reader *reader, guint line, const char *info, GError **error)
-{
-  static const char *const names[] = { "lesson", "steps", "ask", "text", NULL };
-  g_autofree char *hint = words_hint (info, names);
-
-  return lesson_source_blame (reader->source, line, 1, error,
-                              _ ("this program knows no “%s” blocks%s"), info,
-                              hint);
-}
-
-static gboolean
-read_block (Reader *reader, cmark_node *block, GError **error)
-{
-  const char *info = cmark_node_get_fence_info (block);
-
-  if (!check_closed (reader, block, error))
-    return FALSE;
-  if (g_str_equal (info, "lesson"))
-    return read_lesson_block (reader, block, error);
-  if (g_str_equal (info, "steps"))
-    return read_steps_block (reader, block, error);
-  if (g_str_equal (info, "ask"))
-    return read_ask_block (reader, block, error);
-  if (g_str_equal (info, "") || g_str_equal (info, "text"))
-    return read_prose (reader, block, reader->prose, error);
-  return refuse_block (reader, line_of (block), info, error);
-}
-
-/* Inside lists and quotations code is prose; what looks like commands there
- * would be silently left out, so it is refused. */
-static gboolean
-check_inner_blocks (Reader *reader, cmark_node *node, GError **error)
-{
-  cmark_iter *iter = cmark_iter_new (node);
-  gboolean is_good = TRUE;
-
-  while (is_good && cmark_iter_next (iter) != CMARK_EVENT_DONE) {
-    cmark_node *inner = cmark_iter_get_node (iter);
-    const char *info = cmark_node_get_type (inner) == CMARK_NODE_CODE_BLOCK
-                           ? cmark_node_get_fence_info (inner)
-                           : "";
-
-    if (g_str_equal (info, "lesson") || g_str_equal (info, "steps")
-        || g_str_equal (info, "ask"))
-      is_good = lesson_source_blame (reader->source, line_of (inner), 1, error,
-                                     _ ("a %s block stands by itself, not in a "
-                                        "list or quotation"),
-                                     info);
-    else if (!g_str_equal (info, "") && !g_str_equal (info, "text"))
-      is_good = refuse_block (reader, line_of (inner), info, error);
-  }
-  cmark_iter_free (iter);
-  return is_good;
-}
-
-static gboolean
-read_node (Reader *reader, cmark_node *node, GError **error)
+read_node (LessonReader *reader, cmark_node *node, GError **error)
 {
   const cmark_node_type type = cmark_node_get_type (node);
 
@@ -379,7 +227,7 @@ read_node (Reader *reader, cmark_node *node, GError **error)
       && (type != CMARK_NODE_HEADING
           || cmark_node_get_heading_level (node) != 1)) {
     reader->lesson->title = g_strdup (""); /* said once */
-    return blame (reader, line_of (node), error,
+    return blame (reader, lesson_node_line (node), error,
                   _ ("a lesson begins with its title: # TITLE"));
   }
 
@@ -387,21 +235,22 @@ read_node (Reader *reader, cmark_node *node, GError **error)
   case CMARK_NODE_HEADING:
     return read_heading (reader, node, error);
   case CMARK_NODE_CODE_BLOCK:
-    return read_block (reader, node, error);
+    return lesson_read_fence (reader, node, error);
   case CMARK_NODE_BLOCK_QUOTE:
-    return check_inner_blocks (reader, node, error)
+    return lesson_check_inner_fences (reader, node, error)
            && read_quote (reader, node, error);
   case CMARK_NODE_HTML_BLOCK:
+    note_html (reader, node);
     return TRUE;
   default:
-    return check_inner_blocks (reader, node, error)
-           && read_prose (reader, node, reader->prose, error);
+    return lesson_check_inner_fences (reader, node, error)
+           && lesson_read_prose (reader, node, reader->prose, error);
   }
 }
 
 /* What can be known missing only at the end. */
 static gboolean
-check_whole (Reader *reader, GError **error)
+check_whole (LessonReader *reader, GError **error)
 {
   const guint last = lesson_source_n_lines (reader->source);
 
@@ -417,7 +266,7 @@ check_whole (Reader *reader, GError **error)
 
 /* Reads on behind what is wrong, to find all of it. */
 static void
-read_document (Reader *reader, cmark_node *document)
+read_document (LessonReader *reader, cmark_node *document)
 {
   GError *error = NULL;
 
@@ -451,12 +300,12 @@ read_source (const LessonSource *source,
 {
   cmark_node *document = cmark_parse_document (
       source->text, strlen (source->text), CMARK_OPT_SOURCEPOS);
-  Reader reader = { .source = source,
-                    .folder = folder,
-                    .lesson = lesson,
-                    .prose = g_string_new (NULL),
-                    .note = g_string_new (NULL),
-                    .faults = faults };
+  LessonReader reader = { .source = source,
+                          .folder = folder,
+                          .lesson = lesson,
+                          .prose = g_string_new (NULL),
+                          .note = g_string_new (NULL),
+                          .faults = faults };
 
   read_document (&reader, document);
   g_string_free (reader.prose, TRUE);

@@ -318,6 +318,7 @@ lesson_faults_new (void)
 
   faults->errors
       = g_ptr_array_new_with_free_func ((GDestroyNotify)g_error_free);
+  faults->html_lines = g_array_new (FALSE, FALSE, sizeof (guint));
   return faults;
 }
 
@@ -325,6 +326,7 @@ void
 lesson_faults_free (LessonFaults *faults)
 {
   g_ptr_array_unref (faults->errors);
+  g_array_unref (faults->html_lines);
   g_free (faults);
 }
 

@@ -72,7 +72,8 @@ gboolean lesson_line_blame (const LessonLine *line,
 #define LESSON_MAX_FAULTS 100
 
 typedef struct LessonFaults {
-  GPtrArray *errors; /* of GError */
+  GPtrArray *errors;  /* of GError */
+  GArray *html_lines; /* of guint: where HTML is left out */
 } LessonFaults;
 
 LessonFaults *lesson_faults_new (void);
