@@ -54,6 +54,10 @@ is_answer (Role role)
   case ROLE_PREVIEW_STOLEN:
   case ROLE_PREVIEW_EDGE:
   case ROLE_PREVIEW_CELL:
+  case ROLE_ANSWER_CHOSEN:
+  case ROLE_ANSWER_RIGHT:
+  case ROLE_ANSWER_WRONG:
+  case ROLE_ANSWER_MISSED:
     return true;
   default:
     return false;
@@ -140,6 +144,25 @@ find_ridges (const Frame *frame)
   return ridge_of;
 }
 
+/* While a question is open, what would answer it is left out. */
+static void
+apply_mask (SceneBuilder *builder)
+{
+  SceneLook *look = &builder->masked;
+  const uint32_t mask = look->mask;
+
+  if (mask & MASK_WHY)
+    look->layers &= ~(uint32_t)(LAYER_WHY | LAYER_PREVIEW);
+  if (mask & MASK_FACING)
+    look->layers &= ~(uint32_t)(LAYER_DELAUNAY | LAYER_VORONOI | LAYER_CIRCLES
+                                | LAYER_FURTHEST | LAYER_TANGENTS);
+  if (!(mask & MASK_ROUND))
+    return;
+  look->focus = FOCUS_NONE;
+  frame_mask_init (&builder->mask, builder->frame);
+  builder->frame = &builder->mask.frame;
+}
+
 void
 scene_builder_init (SceneBuilder *builder,
                     Scene *scene,
@@ -147,16 +170,20 @@ scene_builder_init (SceneBuilder *builder,
                     const SceneLook *look)
 {
   /* No more labels than this; they must not move once they are pointed to. */
-  const uint32_t n_labels = frame->n_sites + 16;
+  const uint32_t n_labels = frame->n_sites + 16 + 2 * look->n_answers;
 
   memset (builder, 0, sizeof *builder);
   builder->scene = scene;
   builder->frame = frame;
-  builder->look = look;
-  if (frame->step > 0)
+  builder->masked = *look;
+  builder->look = look->mask != 0 ? &builder->masked : look;
+  if (look->mask != 0)
+    apply_mask (builder);
+  if (frame->step > 0 && !(look->mask & MASK_ROUND))
     builder->event = &frame->trace->events[frame->step - 1];
   builder->is_round = is_round_in_hand (frame);
-  builder->parts = loud_parts (frame, look->focus);
+  if (!(look->mask & MASK_ROUND))
+    builder->parts = loud_parts (frame, look->focus);
   builder->ridge_of = find_ridges (frame);
   scene->n_items = scene->n_points = scene->n_labels = 0;
   if (scene->labels_room < n_labels)
@@ -168,6 +195,7 @@ void
 scene_builder_clear (SceneBuilder *builder)
 {
   free (builder->ridge_of);
+  frame_mask_clear (&builder->mask);
 }
 
 bool
@@ -372,6 +400,8 @@ scene_facet_role (const SceneBuilder *builder, uint32_t facet, uint32_t roles)
   const Facing facing = builder->frame->trace->facets[facet].facing;
   const bool lower = facing == FACING_LOWER;
 
+  if (builder->look->mask & MASK_FACING)
+    return ROLE_FACET;
   if (roles & FACET_RETIRED)
     return ROLE_RETIRED;
   if (roles & FACET_VISIBLE)

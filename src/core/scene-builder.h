@@ -2,6 +2,7 @@
 #ifndef SCENE_BUILDER_H
 #define SCENE_BUILDER_H
 
+#include "frame-mask.h"
 #include "preview.h"
 #include "scene.h"
 
@@ -9,6 +10,8 @@ typedef struct SceneBuilder {
   Scene *scene;
   const Frame *frame;
   const SceneLook *look;
+  FrameMask mask;   /* its frame is the frame, when the look masks the round */
+  SceneLook masked; /* is the look, when it masks anything */
   const Event *event; /* that led to the step, or NULL at the start */
   bool is_round;      /* a round is in hand */
   uint32_t parts;     /* of the active set that are loud, Part bits */
@@ -157,6 +160,11 @@ void scene_add_horizon (SceneBuilder *builder, bool lifted);
 void scene_add_selected_facet (SceneBuilder *builder, bool lifted);
 void scene_add_lit_facets (SceneBuilder *builder, bool lifted);
 void scene_add_facet_names (SceneBuilder *builder, bool lifted);
+
+/* How far inside its sides the outline of a chosen facet is drawn. */
+#define ANSWER_INSET 0.14
+
+void scene_add_answers (SceneBuilder *builder, bool lifted);
 
 /* Returns: the facet whose outside set is shown, or INDEX_NONE. */
 uint32_t scene_selected_facet (const SceneBuilder *builder);

@@ -202,6 +202,9 @@ scene_add_circles (SceneBuilder *builder, const Point3 box[2])
   const Frame *frame = builder->frame;
   uint32_t group;
 
+  if (builder->look->mask & MASK_FACING)
+    return;
+
   for (group = 0; group < frame->voronoi.n_vertices; group++) {
     const uint32_t triangle = frame->voronoi.vertices[group].triangle;
     Role role;

@@ -76,6 +76,7 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_voronoi_vertices (diagram);
   add_sites (&builder);
   scene_add_facet_names (&builder, false);
+  scene_add_answers (&builder, false);
   scene_diagram_free (diagram);
   scene_builder_clear (&builder);
 }

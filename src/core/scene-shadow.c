@@ -22,7 +22,8 @@ round_of (const SceneBuilder *builder)
 bool
 scene_is_new_apex (const SceneBuilder *builder, uint32_t site)
 {
-  return builder->is_round && builder->frame->base == builder->frame->step
+  return builder->is_round && !(builder->look->mask & MASK_ROUND)
+         && builder->frame->base == builder->frame->step
          && round_of (builder)->site == site;
 }
 
@@ -378,7 +379,8 @@ scene_selected_facet (const SceneBuilder *builder)
 
   if (builder->event != NULL && builder->event->kind == EVENT_CLAIM)
     return builder->event->facet;
-  if (builder->is_round && phase == PHASE_CHOOSE)
+  if (builder->is_round && phase == PHASE_CHOOSE
+      && !(builder->look->mask & MASK_ROUND))
     return round_of (builder)->facet;
   return INDEX_NONE;
 }

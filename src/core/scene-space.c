@@ -396,5 +396,6 @@ scene_space (Scene *scene, const Frame *frame, const SceneLook *look)
   builder.pass = PASS_MARKS;
   add_marks (&builder);
   scene_add_facet_names (&builder, true);
+  scene_add_answers (&builder, true);
   scene_builder_clear (&builder);
 }

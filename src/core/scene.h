@@ -55,6 +55,7 @@ typedef enum Role {
   ROLE_CELL,   /* Voronoi cell; object is its site */
   ROLE_FURTHEST_CELL, /* of the sites' furthest-site diagram */
   ROLE_TANGENT,       /* what is seen from above of a site's tangent plane */
+  ROLE_FACET,         /* a facet of which it is not told which kind it is */
   ROLE_LOWER,         /* facets of the hull */
   ROLE_UPPER,
   ROLE_VERTICAL,
@@ -92,9 +93,14 @@ typedef enum Role {
   ROLE_LIFT,          /* from a site to its lift */
   ROLE_LIFT_APEX,
   ROLE_LIFT_OUTSIDE,
-  ROLE_DROP, /* from an outside site's lift to the facet's plane */
-  ROLE_GAP,  /* from a site's lift straight to the plane of a facet */
-  ROLE_LIT,  /* outline of a lit facet or triangle */
+  ROLE_DROP,          /* from an outside site's lift to the facet's plane */
+  ROLE_GAP,           /* from a site's lift straight to the plane of a facet */
+  ROLE_LIT,           /* outline of a lit facet or triangle */
+  ROLE_ANSWER_CHOSEN, /* what a person has chosen as an answer: outlines of
+                         facets, ridges, rings round sites */
+  ROLE_ANSWER_RIGHT,
+  ROLE_ANSWER_WRONG,
+  ROLE_ANSWER_MISSED, /* right, but not chosen */
   ROLE_VORONOI_VERTEX,
   ROLE_VORONOI_VERTEX_TIED, /* of a circle through four sites or more */
   ROLE_VORONOI_VERTEX_DYING,
@@ -204,12 +210,30 @@ typedef enum SceneMask {
                            stand; the site in hand is shown */
   MASK_FACING = 1 << 1, /* lower, upper, vertical; and the diagrams, which are
                            the lower facets */
+  MASK_WHY = 1 << 2,    /* whatever explains and foretells: layers why and
+                           preview */
 } SceneMask;
+
+/* An object that a person has chosen as an answer. */
+typedef enum AnswerKind {
+  ANSWER_CHOSEN,
+  ANSWER_RIGHT,
+  ANSWER_WRONG,
+  ANSWER_MISSED,
+} AnswerKind;
+
+typedef struct SceneAnswer {
+  Object object;
+  AnswerKind kind;
+  uint32_t place; /* in an order, from 1; 0: in none */
+} SceneAnswer;
 
 /* How a person looks at a frame; no part of it changes the frame. */
 typedef struct SceneLook {
-  uint32_t layers; /* Layer bits */
-  uint32_t mask;   /* SceneMask bits */
+  uint32_t layers;            /* Layer bits */
+  uint32_t mask;              /* SceneMask bits */
+  const SceneAnswer *answers; /* borrowed, n_answers of them */
+  uint32_t n_answers;
   Focus focus;
   Extent extent;
   double raise; /* of the paraboloid above the plane, scene units */

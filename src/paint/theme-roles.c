@@ -24,6 +24,9 @@ static const Row rows[N_ROLES] = {
                      .fill_alpha = 0.6,
                      .line = INK_VORONOI,
                      .style = { .width = 0.7, .is_shaded = true } },
+  [ROLE_FACET] = { .fill = INK_VERTICAL,
+                   .fill_alpha = 0.45,
+                   .style = { .is_shaded = true } },
   [ROLE_LOWER]
   = { .fill = INK_LOWER, .fill_alpha = 0.66, .style = { .is_shaded = true } },
   [ROLE_UPPER]
@@ -108,6 +111,28 @@ static const Row rows[N_ROLES] = {
   = { .line = INK_IN_HAND, .style = { .width = 2.6, .dash = 0.1, .gap = 5 } },
   [ROLE_GAP] = { .line = INK_APEX, .style = { .width = 3.6, .casing = 6.5 } },
   [ROLE_LIT] = { .line = INK_APEX, .style = { .width = 3, .casing = 5.5 } },
+  [ROLE_ANSWER_CHOSEN]
+  = { .line = INK_HOVER,
+      .style
+      = { .width = 4.4, .casing = 7.5, .mark = MARK_HOLLOW, .radius = 11 } },
+  [ROLE_ANSWER_RIGHT]
+  = { .line = INK_CONE_LINE,
+      .style
+      = { .width = 4.4, .casing = 7.5, .mark = MARK_HOLLOW, .radius = 11 } },
+  [ROLE_ANSWER_WRONG] = { .line = INK_VISIBLE,
+                          .style = { .width = 4.4,
+                                     .dash = 7,
+                                     .gap = 5,
+                                     .casing = 7.5,
+                                     .mark = MARK_HOLLOW,
+                                     .radius = 11 } },
+  [ROLE_ANSWER_MISSED] = { .line = INK_HORIZON,
+                           .style = { .width = 3.4,
+                                      .dash = 0.5,
+                                      .gap = 6,
+                                      .casing = 6.5,
+                                      .mark = MARK_HOLLOW,
+                                      .radius = 11 } },
   [ROLE_VORONOI_VERTEX]
   = { .line = INK_VORONOI, .style = { .mark = MARK_DOT, .radius = 2.3 } },
   [ROLE_VORONOI_VERTEX_TIED]

@@ -58,6 +58,16 @@ ACTION_RUN (action_new);
 ACTION_RUN (action_undo);
 ACTION_RUN (action_redo);
 
+ACTION_RUN (action_answer_toggle);
+ACTION_RUN (action_answer_number);
+ACTION_RUN (action_answer_undo);
+ACTION_RUN (action_check);
+ACTION_RUN (action_hint);
+ACTION_RUN (action_retry);
+ACTION_RUN (action_show_answer);
+ACTION_RUN (action_another);
+ACTION_RUN (action_continue);
+
 #define ACTION_STATE(name)                                                     \
   GVariant *name (const Action *action G_GNUC_UNUSED,                          \
                   Session *session G_GNUC_UNUSED)
@@ -83,6 +93,10 @@ ACTION_STATE (action_state_body_opacity); /* data: Body */
 ACTION_STATE (action_state_measure);
 ACTION_STATE (action_state_selection);
 
+ACTION_STATE (action_state_question);
+ACTION_STATE (action_state_attempt);
+ACTION_STATE (action_state_score);
+
 #define ACTION_ENABLED(name)                                                   \
   gboolean name (const Action *action G_GNUC_UNUSED, Session *session)
 
@@ -96,6 +110,13 @@ ACTION_ENABLED (action_has_selection);
 ACTION_ENABLED (action_has_selected_site);
 ACTION_ENABLED (action_can_undo);
 ACTION_ENABLED (action_can_redo);
+ACTION_ENABLED (action_can_check);
+ACTION_ENABLED (action_can_hint);
+ACTION_ENABLED (action_can_undo_answer);
+ACTION_ENABLED (action_has_question);
+ACTION_ENABLED (action_has_open_question);
+ACTION_ENABLED (action_can_another);
+ACTION_ENABLED (action_can_continue);
 
 typedef enum ActionZoom {
   ZOOM_PLANE = 1,

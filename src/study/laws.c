@@ -148,3 +148,16 @@ laws_of (const Frame *frame)
   add_waiting (laws, frame);
   return laws;
 }
+
+void
+laws_hide (GPtrArray *laws)
+{
+  for (guint i = 0; i < laws->len; i++) {
+    Law *law = g_ptr_array_index (laws, i);
+
+    if (g_str_equal (law->key, "inserted"))
+      continue;
+    g_free (law->value);
+    law->value = g_strdup ("?");
+  }
+}

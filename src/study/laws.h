@@ -18,6 +18,10 @@ typedef struct Law {
  *          those of a round only while one is in hand. */
 GPtrArray *laws_of (const Frame *frame);
 
+/* Puts a question mark in place of what would answer a question: all numbers
+ * but that of the sites. */
+void laws_hide (GPtrArray *laws);
+
 G_END_DECLS
 
 #endif

@@ -103,3 +103,28 @@ question_generate (const Trace *trace,
                _ ("no round of these sites has a question “%s”"), kind);
   return NULL;
 }
+
+static gboolean
+is_like (const Generator *generator, const Question *question)
+{
+  if (generator->click != NULL)
+    return question->kind == QUESTION_CLICK
+           && g_str_equal (question->click->name, generator->click);
+  if (question->kind != QUESTION_NUMBERS
+      || question->quantities->len != generator->n_quantities)
+    return FALSE;
+  for (guint i = 0; i < generator->n_quantities; i++)
+    if (g_array_index (question->quantities, Quantity, i)
+        != generator->quantities[i])
+      return FALSE;
+  return TRUE;
+}
+
+const char *
+question_generator_of (const Question *question)
+{
+  for (guint i = 0; i < G_N_ELEMENTS (generators); i++)
+    if (is_like (&generators[i], question))
+      return generators[i].name;
+  return NULL;
+}

@@ -132,6 +132,9 @@ Question *question_generate (const Trace *trace,
                              GError **error);
 const char *const *question_generate_kinds (void);
 
+/* Returns: the kind that makes questions like this one, or NULL. */
+const char *question_generator_of (const Question *question);
+
 G_END_DECLS
 
 #endif

@@ -246,9 +246,13 @@ session_begin_edit (Session *session)
 void
 session_end_edit (Session *session)
 {
+  const gboolean has_dragged = session->has_dragged;
+
   session->is_dragging = FALSE;
   session->has_dragged = FALSE;
   g_clear_pointer (&session->drag_run, run_unref);
+  if (has_dragged)
+    session_question_settle (session);
 }
 
 void

@@ -63,12 +63,6 @@ session_put_state (Session *session,
   session_release (session);
 }
 
-static const StopState *
-state_of (Session *session, guint stop)
-{
-  return lesson_stop (session->lesson, stop)->state;
-}
-
 /* Returns: whether the sites shown are some stop's, not a person's. */
 static gboolean
 is_run_of_lesson (Session *session)
@@ -77,10 +71,14 @@ is_run_of_lesson (Session *session)
     return FALSE;
   if (session->run == session->lesson->start->run)
     return TRUE;
-  for (guint i = 0; i < session_get_n_stops (session); i++)
-    if (session->run == state_of (session, i)->run)
+  for (guint i = 0; i < session_get_n_stops (session); i++) {
+    const LessonStop *stop = lesson_stop (session->lesson, i);
+
+    if (session->run == stop->state->run
+        || (stop->ask_state != NULL && session->run == stop->ask_state->run))
       return TRUE;
-  return FALSE;
+  }
+  return session->another != NULL && session->run == session->another->run;
 }
 
 /* Goes to a state; a person's sites that it replaces can be had back. */
@@ -100,6 +98,13 @@ enter_state (Session *session,
   run_unref (before);
 }
 
+/* What is shown when the lesson is opened there. */
+static const StopState *
+first_state (const LessonStop *stop)
+{
+  return stop->ask_state != NULL ? stop->ask_state : stop->state;
+}
+
 void
 session_set_lesson (Session *session, Lesson *lesson)
 {
@@ -109,12 +114,17 @@ session_set_lesson (Session *session, Lesson *lesson)
     return;
   session_hold (session);
   if (lesson != NULL)
-    enter_state (session, NULL, lesson_stop (lesson_ref (lesson), 0)->state,
+    enter_state (session, NULL,
+                 first_state (lesson_stop (lesson_ref (lesson), 0)),
                  _ ("opening of a lesson"));
   else
     session_tell_theme (session, THEME_UNTOLD);
   session->lesson = lesson;
   session->stop = 0;
+  session_question_forget (session);
+  session_question_refresh (session);
+  if (lesson != NULL && lesson->step_size >= 0)
+    session_set_step_size (session, (StepSize)lesson->step_size);
   g_clear_pointer (&old, lesson_unref);
   session_set_playing (session, FALSE);
   session_tell (session, CHANGED_LESSON);
@@ -145,9 +155,12 @@ session_set_stop (Session *session, guint stop)
   if (stop >= session_get_n_stops (session))
     return FALSE;
   session_hold (session);
-  enter_state (session, state_of (session, session->stop),
-               state_of (session, stop), _ ("return to the lesson's sites"));
+  enter_state (session, session_state_of (session, session->stop),
+               session_state_of (session, stop),
+               _ ("return to the lesson's sites"));
   session->stop = stop;
+  g_clear_pointer (&session->another, exercise_free);
+  session_question_refresh (session);
   session_tell (session, CHANGED_LESSON);
   session_release (session);
   return TRUE;
@@ -157,9 +170,9 @@ gboolean
 session_get_stop_step (Session *session, guint stop, guint *step)
 {
   if (stop >= session_get_n_stops (session)
-      || state_of (session, stop)->run != session->run)
+      || session_state_of (session, stop)->run != session->run)
     return FALSE;
-  *step = state_of (session, stop)->step;
+  *step = session_state_of (session, stop)->step;
   return TRUE;
 }
 
@@ -202,12 +215,14 @@ session_follow_step (Session *session, guint old_step)
   if (session->lesson == NULL || session->is_replaying
       || session->step == old_step)
     return;
+  session_question_follow_step (session);
   stop
       = session->step > old_step ? stop_ahead (session) : stop_behind (session);
   if (stop == session->stop)
     return;
-  put_look (session, state_of (session, session->stop),
-            state_of (session, stop));
+  put_look (session, session_state_of (session, session->stop),
+            session_state_of (session, stop));
   session->stop = stop;
+  session_question_refresh (session);
   session_tell (session, CHANGED_LESSON);
 }

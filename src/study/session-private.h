@@ -38,6 +38,10 @@ struct _Session {
 
   Lesson *lesson;
   guint stop;
+  GPtrArray *exercises; /* of Exercise, one for each stop; NULL: not begun */
+  Exercise *another;    /* on other sites, in place of the stop's */
+  guint64 another_seed;
+  GArray *answers;       /* of SceneAnswer: what the look shows */
   gboolean is_replaying; /* a lesson's commands are carried out: no history,
                             and the stop does not follow the step */
 
@@ -64,6 +68,29 @@ void session_fit_extent (Session *session, gboolean anyway);
 
 /* The theme that a lesson tells, or THEME_UNTOLD. */
 void session_tell_theme (Session *session, int theme);
+
+/* Returns: what is shown at a stop: while its question is open, what comes
+ *          before the answer. */
+const StopState *session_state_of (Session *session, guint stop);
+
+/* To be called when the run, the step or the stop has changed. */
+void session_question_refresh (Session *session);
+void session_question_follow_run (Session *session);
+void session_question_follow_step (Session *session);
+
+/* To be called when a drag has come to its end. */
+void session_question_settle (Session *session);
+
+/* Forgets all exercises: the lesson is another. */
+void session_question_forget (Session *session);
+
+/* Returns: whether a question is open, and it is asked here. */
+gboolean session_question_is_open (Session *session);
+
+/* Shows the answer to an open question.
+ *
+ * Returns: FALSE: there is none. */
+gboolean session_answer_then_go (Session *session);
 
 /* Lets the stop follow the step from @old_step. */
 void session_follow_step (Session *session, guint old_step);

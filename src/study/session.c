@@ -43,6 +43,7 @@ session_init (Session *session)
   session->run = run_new (NULL, 0, &(Order){ ORDER_FURTHEST, 0 });
   session->step = session->run->trace->n_events;
   session->history = history_new ();
+  session->answers = g_array_new (FALSE, FALSE, sizeof (SceneAnswer));
   session->speed = 1;
   session->look.layers = LAYERS_DEFAULT;
   session->look.focus = FOCUS_ACTIVE;
@@ -66,6 +67,8 @@ session_finalize (GObject *object)
   g_clear_pointer (&session->run, run_unref);
   g_clear_pointer (&session->drag_run, run_unref);
   g_clear_pointer (&session->history, history_free);
+  session_question_forget (session);
+  g_array_unref (session->answers);
   g_clear_pointer (&session->lesson, lesson_unref);
   G_OBJECT_CLASS (session_parent_class)->finalize (object);
 }
@@ -135,6 +138,8 @@ session_put_run (Session *session, Run *run, guint step)
   extent->centre.x = ldexp (extent->centre.x, shift);
   extent->centre.y = ldexp (extent->centre.y, shift);
   extent->radius = ldexp (extent->radius, shift);
+  session_question_refresh (session);
+  session_question_follow_run (session);
   session_tell (session, CHANGED_SITES | CHANGED_STEP);
 }
 
@@ -146,6 +151,7 @@ session_put_step (Session *session, guint step)
     return;
   drop_frame (session);
   session->step = step;
+  session_question_refresh (session);
   session_tell (session, CHANGED_STEP);
 }
 
@@ -263,7 +269,8 @@ gboolean
 session_can_next (Session *session)
 {
   return goes_by_stops (session)
-             ? stop_after (session) < session_get_n_stops (session)
+             ? session_question_is_open (session)
+                   || stop_after (session) < session_get_n_stops (session)
              : session->step < session->run->trace->n_events;
 }
 
@@ -279,7 +286,8 @@ gboolean
 session_next (Session *session)
 {
   if (goes_by_stops (session))
-    return session_set_stop (session, stop_after (session));
+    return session_answer_then_go (session)
+           || session_set_stop (session, stop_after (session));
   if (!session_can_next (session))
     return FALSE;
   session_set_step (session, timeline_next (session->run->trace, session->step,
@@ -375,7 +383,8 @@ session_tick (Session *session)
   if (!session->is_playing)
     return;
   session_hold (session);
-  if (!session_next (session) || !session_can_next (session))
+  if (!session_next (session) || !session_can_next (session)
+      || session_question_is_open (session))
     session_set_playing (session, FALSE);
   session_release (session);
 }
@@ -391,6 +400,9 @@ session_narrate (Session *session)
 {
   char text[NARRATION_ROOM];
 
+  if (session_is_asking (session))
+    return g_strdup (_ ("What happens here? Answer the question, or go on to "
+                        "see."));
   narration_write (session->run->trace, session->step, translate, text);
   return g_strdup (text);
 }
@@ -402,7 +414,7 @@ session_explain (Session *session)
   const Frame *frame = session_get_frame (session);
   char text[NARRATION_ROOM];
 
-  if ((look->layers & LAYER_WHY) == 0)
+  if ((look->layers & LAYER_WHY) == 0 || (look->mask & MASK_WHY) != 0)
     return NULL;
   why_write (frame,
              why_find (frame, look->selection, look->hover, look->measured),

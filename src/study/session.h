@@ -13,6 +13,7 @@
 #define SESSION_H
 
 #include "appearance.h"
+#include "exercise.h"
 #include "lesson.h"
 #include "scene.h"
 
@@ -29,6 +30,8 @@ typedef enum SessionChange {
   CHANGED_HISTORY = 1 << 5,    /* what can be undone */
   CHANGED_PLAY = 1 << 6,       /* playing, speed, step size */
   CHANGED_APPEARANCE = 1 << 7, /* theme and sizes */
+  CHANGED_QUESTION = 1 << 8,   /* what is answered, and how right it is; another
+                                  question is CHANGED_LESSON */
 } SessionChange;
 
 /* What "next" means. */
@@ -184,6 +187,38 @@ gboolean session_set_stop (Session *session, guint stop);
 /* Returns: FALSE when @stop stands on other sites than those shown; else
  *          TRUE with its step, for a mark on the timeline. */
 gboolean session_get_stop_step (Session *session, guint stop, guint *step);
+
+/* The question of the stop. It is asked before its event; whoever has not
+ * answered it is shown the answer by the next "next", and goes on with the one
+ * after that, so that no question holds a class up. Stepping past the event
+ * shows the answer too. */
+const Exercise *session_get_exercise (Session *session); /* NULL: none */
+
+/* That of any stop: NULL when it asks nothing. */
+const Exercise *session_get_exercise_of (Session *session, guint stop);
+
+/* Returns: whether the answer must not be told: a question is open, and the
+ *          pictures show what it asks about. */
+gboolean session_is_asking (Session *session);
+
+/* Returns: whether a click on an object means an answer now. */
+gboolean session_is_answering (Session *session);
+
+/* Each returns: FALSE: nothing to do. */
+gboolean session_answer_toggle (Session *session, Object object);
+gboolean session_answer_number (Session *session, guint index, gint64 number);
+gboolean session_answer_undo (Session *session);
+gboolean session_hint (Session *session);
+gboolean session_can_check (Session *session); /* something is answered */
+gboolean session_check (Session *session);
+gboolean session_reveal (Session *session); /* shows the answer */
+gboolean session_retry (Session *session);  /* asks it anew */
+gboolean session_can_continue (Session *session);
+gboolean session_continue (Session *session); /* to the next stop */
+
+/* The same question about other sites, that a seed gives. */
+gboolean session_can_another (Session *session);
+gboolean session_another (Session *session);
 
 /* Carries out the commands of one stop, from the state of the stop before
  * it, and checks its expectations; replay is this for every stop.

@@ -1,0 +1,169 @@
+/* What a person has chosen as an answer, and how right it is: marks of their
+ * own over all others, in the plane and in space. */
+#include "scene-builder.h"
+
+#include <stdio.h>
+
+static Role
+role_of (AnswerKind kind)
+{
+  switch (kind) {
+  case ANSWER_CHOSEN:
+    return ROLE_ANSWER_CHOSEN;
+  case ANSWER_RIGHT:
+    return ROLE_ANSWER_RIGHT;
+  case ANSWER_WRONG:
+    return ROLE_ANSWER_WRONG;
+  case ANSWER_MISSED:
+    return ROLE_ANSWER_MISSED;
+  }
+  return ROLE_ANSWER_CHOSEN;
+}
+
+/* A sign beside the mark, so that colour alone tells nothing. */
+static const char *
+sign_of (SceneBuilder *builder, const SceneAnswer *answer)
+{
+  char number[16];
+
+  switch (answer->kind) {
+  case ANSWER_RIGHT:
+    return scene_text (builder, "✓");
+  case ANSWER_WRONG:
+    return scene_text (builder, "✗");
+  case ANSWER_CHOSEN:
+  case ANSWER_MISSED:
+    break;
+  }
+  if (answer->place == 0)
+    return NULL;
+  snprintf (number, sizeof number, "%u.", answer->place);
+  return scene_text (builder, number);
+}
+
+/* The middle of some sites. */
+static Point3
+middle_of (const SceneBuilder *builder,
+           const uint32_t *site,
+           uint32_t n,
+           bool lifted)
+{
+  Point3 middle = { 0, 0, 0 };
+  uint32_t i;
+
+  for (i = 0; i < n; i++) {
+    const Point3 corner = scene_at (builder, site[i], lifted);
+
+    middle.x += corner.x / n;
+    middle.y += corner.y / n;
+    middle.z += corner.z / n;
+  }
+  return middle;
+}
+
+static bool
+has_shadow (const SceneBuilder *builder, uint32_t facet)
+{
+  return builder->frame->trace->is_flat
+         || builder->frame->trace->facets[facet].facing == FACING_LOWER;
+}
+
+/* A triangle is drawn a little inside its sides: neighbours that are chosen
+ * both have their own outline. */
+static void
+add_facet (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
+{
+  const uint32_t facet = answer->object.number;
+  const Frame *frame = builder->frame;
+  const uint32_t n_facets = frame->trace->is_flat ? frame->delaunay.n_triangles
+                                                  : frame->trace->n_facets;
+  const uint32_t *site;
+  Point3 middle;
+  int k;
+
+  if (facet >= n_facets || (!lifted && !has_shadow (builder, facet))
+      || scene_roles (builder, facet) == 0)
+    return;
+  site = scene_facet_sites (builder, facet);
+  middle = middle_of (builder, site, 3, lifted);
+  scene_add (builder, SHAPE_PATH, role_of (answer->kind), answer->object);
+  for (k = 0; k < 4; k++) {
+    const Point3 corner = scene_at (builder, site[k % 3], lifted);
+
+    scene_add_point (
+        builder, (Point3){ corner.x + ANSWER_INSET * (middle.x - corner.x),
+                           corner.y + ANSWER_INSET * (middle.y - corner.y),
+                           corner.z + ANSWER_INSET * (middle.z - corner.z) });
+  }
+  scene_add_mark (builder, role_of (answer->kind), answer->object, middle,
+                  sign_of (builder, answer));
+}
+
+static void
+add_ridge (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
+{
+  const Trace *trace = builder->frame->trace;
+  const uint32_t ridge = answer->object.number;
+
+  if (ridge >= trace->n_ridges)
+    return;
+  scene_add_edge (builder, role_of (answer->kind), answer->object,
+                  trace->ridges[ridge].site, lifted);
+  scene_add_mark (builder, role_of (answer->kind), answer->object,
+                  middle_of (builder, trace->ridges[ridge].site, 2, lifted),
+                  sign_of (builder, answer));
+}
+
+static void
+add_site (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
+{
+  if (answer->object.number < builder->frame->n_sites)
+    scene_add_mark (builder, role_of (answer->kind), answer->object,
+                    scene_at (builder, answer->object.number, lifted),
+                    sign_of (builder, answer));
+}
+
+/* A Voronoi vertex is chosen by its triangle: both are marked. */
+static void
+add_vertex (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
+{
+  const uint32_t group = scene_group (builder, answer->object.number);
+  const Delaunay *delaunay = &builder->frame->delaunay;
+  uint32_t i;
+
+  for (i = 0; group != INDEX_NONE && i < delaunay->n_triangles; i++) {
+    SceneAnswer of_triangle = *answer;
+
+    if (delaunay->triangles[i].group != group)
+      continue;
+    of_triangle.object = (Object){ OBJECT_FACET, delaunay->triangles[i].facet };
+    add_facet (builder, &of_triangle, lifted);
+  }
+}
+
+void
+scene_add_answers (SceneBuilder *builder, bool lifted)
+{
+  uint32_t i;
+
+  for (i = 0; i < builder->look->n_answers; i++) {
+    const SceneAnswer *answer = &builder->look->answers[i];
+
+    switch (answer->object.kind) {
+    case OBJECT_FACET:
+      add_facet (builder, answer, lifted);
+      break;
+    case OBJECT_RIDGE:
+      add_ridge (builder, answer, lifted);
+      break;
+    case OBJECT_SITE:
+      add_site (builder, answer, lifted);
+      break;
+    case OBJECT_VERTEX:
+      add_vertex (builder, answer, lifted);
+      break;
+    case OBJECT_NONE:
+      break;
+    }
+  }
+}

@@ -1,0 +1,505 @@
+/* The question of the stop: asked, answered, shown. */
+#include "attempt.h"
+#include "question-click.h"
+#include "session-private.h"
+#include "site-source.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+static LessonStop *
+get_stop (Session *session)
+{
+  return session->lesson == NULL
+             ? NULL
+             : g_ptr_array_index (session->lesson->stops, session->stop);
+}
+
+void
+session_question_forget (Session *session)
+{
+  g_clear_pointer (&session->exercises, g_ptr_array_unref);
+  g_clear_pointer (&session->another, exercise_free);
+}
+
+static void
+free_exercise (gpointer exercise)
+{
+  if (exercise != NULL)
+    exercise_free (exercise);
+}
+
+/* The exercise of a stop, begun when it is first met; NULL: no question. */
+static Exercise *
+get_exercise (Session *session, guint stop)
+{
+  LessonStop *row = g_ptr_array_index (session->lesson->stops, stop);
+  gpointer *exercise;
+
+  if (row->question == NULL || row->ask_state == NULL)
+    return NULL;
+  if (session->exercises == NULL)
+    session->exercises = g_ptr_array_new_with_free_func (free_exercise);
+  if (session->exercises->len < session->lesson->stops->len)
+    g_ptr_array_set_size (session->exercises, (int)session->lesson->stops->len);
+  exercise = &g_ptr_array_index (session->exercises, stop);
+  if (*exercise == NULL)
+    *exercise
+        = exercise_new (row->question, row->ask_state->run, &row->occasion);
+  return *exercise;
+}
+
+const StopState *
+session_state_of (Session *session, guint stop)
+{
+  const LessonStop *row = lesson_stop (session->lesson, stop);
+  const Exercise *exercise
+      = session->is_replaying ? NULL : get_exercise (session, stop);
+
+  return exercise != NULL && exercise->is_open ? row->ask_state : row->state;
+}
+
+const Exercise *
+session_get_exercise (Session *session)
+{
+  if (session->another != NULL)
+    return session->another;
+  return session->lesson == NULL || session->is_replaying
+             ? NULL
+             : get_exercise (session, session->stop);
+}
+
+const Exercise *
+session_get_exercise_of (Session *session, guint stop)
+{
+  return session->lesson == NULL ? NULL : get_exercise (session, stop);
+}
+
+static Exercise *
+exercise_in_hand (Session *session)
+{
+  return (Exercise *)session_get_exercise (session);
+}
+
+static gboolean
+is_drag (const Exercise *exercise)
+{
+  return exercise->question->kind == QUESTION_DRAG
+         || exercise->question->kind == QUESTION_ALWAYS;
+}
+
+/* Whether the pictures show what it asks about. */
+static gboolean
+is_here (Session *session, const Exercise *exercise)
+{
+  return session->run == exercise->run
+         && session->step == exercise->occasion.step;
+}
+
+gboolean
+session_is_asking (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+
+  return exercise != NULL && exercise->is_open && !is_drag (exercise)
+         && is_here (session, exercise);
+}
+
+gboolean
+session_is_answering (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+
+  return session_is_asking (session)
+         && (exercise->question->kind == QUESTION_CLICK
+             || exercise->question->kind == QUESTION_ORDER);
+}
+
+/* What the pictures show of it */
+
+static gboolean
+has (const GArray *objects, Object object)
+{
+  for (guint i = 0; i < objects->len; i++)
+    if (object_equal (g_array_index (objects, Object, i), object))
+      return TRUE;
+  return FALSE;
+}
+
+static void
+add_answer (Session *session, Object object, AnswerKind kind, guint place)
+{
+  const SceneAnswer answer = { object, kind, place };
+
+  if (object.kind != OBJECT_NONE)
+    g_array_append_val (session->answers, answer);
+}
+
+/* What is chosen; once it has been checked, what of it is right. */
+static void
+add_chosen (Session *session, const Exercise *exercise, const Answer *answer)
+{
+  const GArray *chosen = exercise->attempt->objects;
+  const gboolean is_order = exercise->question->kind == QUESTION_ORDER;
+
+  for (guint i = 0; i < chosen->len; i++) {
+    const Object object = g_array_index (chosen, Object, i);
+    AnswerKind kind = ANSWER_CHOSEN;
+
+    if (answer != NULL && is_order)
+      kind = exercise->verdict != NULL && i < exercise->verdict->right
+                 ? ANSWER_RIGHT
+                 : ANSWER_WRONG;
+    else if (answer != NULL)
+      kind = has (answer->objects, object) ? ANSWER_RIGHT : ANSWER_WRONG;
+    add_answer (session, object, kind, is_order ? i + 1 : 0);
+  }
+}
+
+static void
+add_missed (Session *session, const Exercise *exercise, const Answer *answer)
+{
+  const gboolean is_order = exercise->question->kind == QUESTION_ORDER;
+  guint n_right = 0;
+
+  for (guint i = 0; i < session->answers->len; i++)
+    n_right += g_array_index (session->answers, SceneAnswer, i).kind
+               == ANSWER_RIGHT;
+  if ((answer->is_any && n_right > 0)
+      || (exercise->verdict != NULL && exercise->verdict->is_right))
+    return;
+  for (guint i = 0; i < answer->objects->len; i++) {
+    const Object object = g_array_index (answer->objects, Object, i);
+
+    if (!has (exercise->attempt->objects, object))
+      add_answer (session, object, ANSWER_MISSED, is_order ? i + 1 : 0);
+  }
+}
+
+static void
+find_answers (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+  g_autoptr (Answer) answer = NULL;
+
+  g_array_set_size (session->answers, 0);
+  if (exercise == NULL || is_drag (exercise) || session->run != exercise->run
+      || (exercise->is_open && !is_here (session, exercise)))
+    return;
+  if (exercise->verdict != NULL || !exercise->is_open)
+    answer = answer_new (exercise->question, &exercise->occasion);
+  add_chosen (session, exercise, answer);
+  if (!exercise->is_open)
+    add_missed (session, exercise, answer);
+}
+
+void
+session_question_refresh (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+
+  session->look.mask = session_is_asking (session)
+                           ? MASK_WHY | question_mask (exercise->question)
+                           : 0;
+  find_answers (session);
+  session->look.answers = (const SceneAnswer *)(gpointer)session->answers->data;
+  session->look.n_answers = session->answers->len;
+}
+
+static gboolean
+told (Session *session, gboolean has_changed)
+{
+  if (!has_changed)
+    return FALSE;
+  session_question_refresh (session);
+  session_tell (session, CHANGED_QUESTION | CHANGED_LOOK);
+  return TRUE;
+}
+
+/* Following the sites and the time */
+
+void
+session_question_follow_run (Session *session)
+{
+  Exercise *exercise = exercise_in_hand (session);
+
+  if (exercise == NULL || !exercise->is_open || !is_drag (exercise)
+      || exercise->attempt->run == session->run)
+    return;
+  if (session->run == exercise->run && exercise->attempt->run == NULL)
+    return;
+  exercise_set_run (exercise, session->run);
+  told (session, TRUE);
+}
+
+/* Whoever steps past the event has seen the answer. */
+void
+session_question_follow_step (Session *session)
+{
+  Exercise *exercise = exercise_in_hand (session);
+
+  if (exercise == NULL || !exercise->is_open || is_drag (exercise)
+      || session->run != exercise->run
+      || session->step <= exercise->occasion.step)
+    return;
+  exercise_reveal (exercise);
+  told (session, TRUE);
+}
+
+/* What was dragged rightly is right once it is let go. */
+void
+session_question_settle (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+
+  if (exercise != NULL && exercise->is_open && exercise->attempt->run != NULL
+      && exercise_holds_now (exercise))
+    session_check (session);
+}
+
+/* Answering */
+
+gboolean
+session_answer_toggle (Session *session, Object object)
+{
+  Exercise *exercise = exercise_in_hand (session);
+
+  return exercise != NULL && told (session, exercise_toggle (exercise, object));
+}
+
+gboolean
+session_answer_number (Session *session, guint index, gint64 number)
+{
+  Exercise *exercise = exercise_in_hand (session);
+
+  return exercise != NULL
+         && told (session, exercise_set_number (exercise, index, number));
+}
+
+gboolean
+session_answer_undo (Session *session)
+{
+  Exercise *exercise = exercise_in_hand (session);
+
+  return exercise != NULL && told (session, exercise_undo (exercise));
+}
+
+gboolean
+session_hint (Session *session)
+{
+  Exercise *exercise = exercise_in_hand (session);
+
+  return exercise != NULL && told (session, exercise_hint (exercise));
+}
+
+/* Showing the answer */
+
+/* Sites that make the condition of a drag hold, or a law fail. */
+static void
+show_sites (Session *session, const Exercise *exercise)
+{
+  g_autoptr (Answer) answer
+      = answer_new (exercise->question, &exercise->occasion);
+  const Order order = session_get_order (session);
+  Run *run = answer->sites == NULL
+                 ? NULL
+                 : run_new (answer->sites, answer->n_sites, &order);
+
+  if (run == NULL)
+    return;
+  session_put_run (session, run, run->trace->n_events);
+  session_fit_extent (session, FALSE);
+}
+
+/* The lesson goes on to where the answer is seen; what a person has dragged
+ * rightly stays as it is. */
+static void
+show_answer (Session *session, const Exercise *exercise)
+{
+  const LessonStop *stop = get_stop (session);
+
+  if (exercise->is_open)
+    return;
+  if (is_drag (exercise)) {
+    if (exercise->verdict == NULL || !exercise->verdict->is_right)
+      show_sites (session, exercise);
+  } else if (exercise == session->another) {
+    session_put_step (session, exercise->occasion.reveal);
+  } else if (session->run == exercise->run) {
+    session_put_state (session, stop->ask_state, stop->state);
+  }
+}
+
+gboolean
+session_can_check (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+
+  return exercise != NULL && exercise->is_open
+         && !attempt_is_empty (exercise->attempt);
+}
+
+gboolean
+session_check (Session *session)
+{
+  Exercise *exercise = exercise_in_hand (session);
+
+  if (!session_can_check (session))
+    return FALSE;
+  session_hold (session);
+  exercise_check (exercise);
+  show_answer (session, exercise);
+  told (session, TRUE);
+  session_release (session);
+  return TRUE;
+}
+
+gboolean
+session_reveal (Session *session)
+{
+  Exercise *exercise = exercise_in_hand (session);
+
+  if (exercise == NULL || !exercise->is_open)
+    return FALSE;
+  session_hold (session);
+  exercise_reveal (exercise);
+  show_answer (session, exercise);
+  told (session, TRUE);
+  session_release (session);
+  return TRUE;
+}
+
+/* Where it is asked; sites that were dragged go back. */
+static void
+show_question (Session *session, const Exercise *exercise)
+{
+  if (exercise == session->another)
+    session_put_run (session, run_ref (exercise->run), exercise->occasion.step);
+  else
+    session_put_state (session, NULL, get_stop (session)->ask_state);
+}
+
+gboolean
+session_retry (Session *session)
+{
+  Exercise *exercise = exercise_in_hand (session);
+
+  if (exercise == NULL)
+    return FALSE;
+  session_hold (session);
+  exercise_retry (exercise);
+  show_question (session, exercise);
+  told (session, TRUE);
+  session_release (session);
+  return TRUE;
+}
+
+/* Going on */
+
+gboolean
+session_question_is_open (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+
+  return exercise != NULL && exercise->is_open
+         && (is_drag (exercise) || is_here (session, exercise));
+}
+
+gboolean
+session_answer_then_go (Session *session)
+{
+  if (!session_question_is_open (session))
+    return FALSE;
+  session_hold (session);
+  if (session_can_check (session))
+    session_check (session);
+  session_reveal (session);
+  session_release (session);
+  return TRUE;
+}
+
+gboolean
+session_can_continue (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+
+  return exercise != NULL && !exercise->is_open
+         && session->stop + 1 < session_get_n_stops (session);
+}
+
+gboolean
+session_continue (Session *session)
+{
+  return session_can_continue (session)
+         && session_set_stop (session, session->stop + 1);
+}
+
+/* The same with other sites */
+
+#define MOST_SEEDS 50 /* that are tried until a question is found */
+#define LEAST_SITES 6
+#define MOST_SITES 10
+
+gboolean
+session_can_another (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+
+  return exercise != NULL && !exercise->is_open
+         && question_generator_of (exercise->question) != NULL;
+}
+
+/* Makes an exercise of @kind on random sites that @seed gives; NULL: there is
+ * none. */
+static Exercise *
+make_another (const Exercise *like, const char *kind, guint64 seed)
+{
+  const guint n = CLAMP (like->run->set->n_sites, LEAST_SITES, MOST_SITES);
+  g_autofree char *source
+      = g_strdup_printf ("random %u seed %" G_GUINT64_FORMAT, n, seed);
+  gsize fault;
+  guint n_sites;
+  g_autofree Site *sites = site_source_make (source, &n_sites, &fault, NULL);
+  g_autoptr (Run) run = run_new (sites, n_sites, &like->run->trace->order);
+  g_autoptr (Question) question
+      = question_generate (run->trace, kind, seed, NULL);
+  Occasion occasion;
+
+  if (question == NULL
+      || !question_locate (question, run->trace, &occasion, NULL))
+    return NULL;
+  question->n_retries = like->question->n_retries;
+  return exercise_new (question, run, &occasion);
+}
+
+static void
+put_another (Session *session, Exercise *exercise)
+{
+  g_clear_pointer (&session->another, exercise_free);
+  session->another = exercise;
+  session_put_run (session, run_ref (exercise->run), exercise->occasion.step);
+  session_set_selection (session, (Object){ OBJECT_NONE, 0 });
+  session_set_hover (session, (Object){ OBJECT_NONE, 0 });
+  session_fit (session);
+}
+
+gboolean
+session_another (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+  const char *kind;
+  Exercise *another = NULL;
+
+  if (!session_can_another (session))
+    return FALSE;
+  kind = question_generator_of (exercise->question);
+  for (guint i = 0; another == NULL && i < MOST_SEEDS; i++)
+    another = make_another (exercise, kind, ++session->another_seed);
+  if (another == NULL)
+    return FALSE;
+  session_hold (session);
+  put_another (session, another);
+  told (session, TRUE);
+  session_release (session);
+  return TRUE;
+}

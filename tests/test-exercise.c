@@ -1,0 +1,314 @@
+/* A person at the questions of a lesson, through the session and its
+ * actions. */
+#include "action.h"
+#include "laws.h"
+#include "lesson-text.h"
+
+#include <string.h>
+
+static const char lesson_text[]
+    = LECTURE "## Which?\n\n```ask\nbefore round 1 see\nclick visible-facets\n"
+              "hint one\nhint two\nretry 1\n```\n\n"
+              "```steps\ngoto round 1 see\nshow circumcircles\n```\n\n"
+              "## After\n\n```steps\ngoto round 1\n```\n\n"
+              "## Numbers\n\n```ask\nbefore round 2 see\nnumber visible cone\n"
+              "```\n\n"
+              "## Drag\n\n```ask\ncomplete\ndrag s7 until unbounded s7\n```\n";
+
+static Session *
+begin (void)
+{
+  Session *session = session_new ();
+  g_autoptr (GError) error = NULL;
+  Lesson *lesson
+      = lesson_parse (lesson_text, strlen (lesson_text), "l.md", &error);
+
+  g_assert_no_error (error);
+  session_set_lesson (session, lesson);
+  lesson_unref (lesson);
+  return session;
+}
+
+static void
+act (Session *session, const char *name, GVariant *parameter)
+{
+  g_autoptr (GError) error = NULL;
+
+  action_run (session, name, parameter, &error);
+  g_assert_no_error (error);
+}
+
+static void
+toggle (Session *session, const char *object)
+{
+  act (session, "answer-toggle", g_variant_new_string (object));
+}
+
+static void
+assert_state (Session *session, const char *state)
+{
+  g_autoptr (GVariant) value = g_variant_ref_sink (
+      action_get_state (action_find ("question"), session));
+
+  g_assert_cmpstr (g_variant_get_string (value, NULL), ==, state);
+}
+
+static void
+test_a_question_stops_before_its_event (void)
+{
+  g_autoptr (Session) session = begin ();
+  const Place place = session_get_place (session);
+  g_autofree char *sentence = session_narrate (session);
+
+  assert_state (session, "open");
+  g_assert_cmpuint (place.round, ==, 1);
+  g_assert_cmpint (place.phase, ==, PHASE_CHOOSE);
+  g_assert_true (session_is_asking (session));
+  g_assert_cmpuint (session_get_look (session)->mask, ==,
+                    MASK_ROUND | MASK_WHY);
+  g_assert_null (strstr (sentence, "s4"));
+}
+
+/* No shape of the masked picture has a role of the round, at any step at which
+ * the question could stand. */
+static void
+test_the_mask_leaves_no_role_of_the_round (void)
+{
+  g_autoptr (Session) session = begin ();
+  const Trace *trace = session_get_trace (session);
+  Scene scene = { 0 };
+
+  for (guint step = 0; step <= trace->n_events; step++)
+    for (guint view = 0; view < 2; view++) {
+      SceneLook look = *session_get_look (session);
+      Frame frame;
+
+      frame_init (&frame, trace, step);
+      look.mask = MASK_ROUND | MASK_WHY | (step % 2 == 0 ? MASK_FACING : 0);
+      look.low = (Point3){ -2, -2, 0 };
+      look.high = (Point3){ 2, 2, 0 };
+      (view == 0 ? scene_plane : scene_space) (&scene, &frame, &look);
+      for (guint i = 0; i < scene.n_items; i++) {
+        const Role role = scene.items[i].role;
+
+        g_assert_false (role >= ROLE_VISIBLE && role <= ROLE_SELECTED_FACET);
+        g_assert_true (role != ROLE_HORIZON && role != ROLE_HORIZON_UPPER
+                       && role != ROLE_CIRCLE_VISIBLE && role != ROLE_DROP
+                       && role != ROLE_VORONOI_VERTEX_DYING
+                       && role != ROLE_SITE_OUTSIDE && role != ROLE_CONE_EDGE
+                       && role != ROLE_VISIBLE_EDGE);
+        if (look.mask & MASK_FACING)
+          g_assert_true (role != ROLE_LOWER && role != ROLE_UPPER
+                         && role != ROLE_VERTICAL && role != ROLE_TRIANGLE
+                         && role != ROLE_CELL && role != ROLE_DELAUNAY_EDGE);
+      }
+      frame_clear (&frame);
+    }
+  scene_clear (&scene);
+}
+
+static void
+test_a_right_answer_goes_on_to_what_it_shows (void)
+{
+  g_autoptr (Session) session = begin ();
+
+  toggle (session, "f0");
+  toggle (session, "f2");
+  toggle (session, "f2");
+  toggle (session, "f1");
+  g_assert_cmpuint (session_get_look (session)->n_answers, ==, 2);
+  act (session, "check", NULL);
+  assert_state (session, "right");
+  g_assert_false (session_is_asking (session));
+  g_assert_cmpuint (session_get_look (session)->mask, ==, 0);
+  g_assert_cmpint (session_get_place (session).phase, ==, PHASE_SEE);
+  g_assert_true (session_get_look (session)->layers & LAYER_CIRCLES);
+  act (session, "continue", NULL);
+  g_assert_cmpuint (session_get_stop (session), ==, 1);
+  /* Back, the end of the stop is shown, not its question. */
+  session_set_stop (session, 0);
+  assert_state (session, "right");
+  g_assert_cmpint (session_get_place (session).phase, ==, PHASE_SEE);
+}
+
+static void
+test_a_wrong_answer_has_its_retries (void)
+{
+  g_autoptr (Session) session = begin ();
+  const Exercise *exercise = session_get_exercise (session);
+
+  toggle (session, "f2");
+  act (session, "check", NULL);
+  assert_state (session, "wrong");
+  g_assert_true (session_is_asking (session));
+  g_assert_cmpuint (exercise->verdict->wrong, ==, 1);
+  g_assert_cmpint (session_get_look (session)->answers[0].kind, ==,
+                   ANSWER_WRONG);
+  g_assert_cmpuint (session_get_look (session)->n_answers, ==, 1);
+  act (session, "answer-undo", NULL);
+  assert_state (session, "open");
+  toggle (session, "f0");
+  act (session, "check", NULL);
+  assert_state (session, "shown");
+  g_assert_cmpuint (exercise->verdict->missing, ==, 1);
+  g_assert_false (exercise->was_right_at_once);
+  act (session, "retry", NULL);
+  assert_state (session, "open");
+  g_assert_true (session_is_asking (session));
+}
+
+static void
+test_hints_come_one_after_the_other (void)
+{
+  g_autoptr (Session) session = begin ();
+
+  g_assert_cmpuint (session_get_exercise (session)->n_hints, ==, 0);
+  act (session, "hint", NULL);
+  act (session, "hint", NULL);
+  g_assert_cmpuint (session_get_exercise (session)->n_hints, ==, 2);
+  g_assert_false (action_run (session, "hint", NULL, NULL));
+}
+
+/* A clicker alone gets through: answer, go on, answer, go on. */
+static void
+test_no_question_holds_a_class_up (void)
+{
+  g_autoptr (Session) session = begin ();
+  static const guint stops[] = { 0, 1, 2, 2, 3, 3 };
+
+  for (guint i = 0; i < G_N_ELEMENTS (stops); i++) {
+    g_assert_true (session_can_next (session));
+    act (session, "next", NULL);
+    g_assert_cmpuint (session_get_stop (session), ==, stops[i]);
+  }
+  assert_state (session, "shown");
+  g_assert_false (session_can_next (session));
+}
+
+static void
+test_stepping_past_the_event_shows_the_answer (void)
+{
+  g_autoptr (Session) session = begin ();
+
+  act (session, "back-event", NULL);
+  assert_state (session, "open");
+  g_assert_false (session_is_asking (session));
+  act (session, "next-event", NULL);
+  g_assert_true (session_is_asking (session));
+  act (session, "next-event", NULL);
+  assert_state (session, "shown");
+}
+
+static void
+test_numbers_are_answered_by_their_place (void)
+{
+  g_autoptr (Session) session = begin ();
+
+  session_set_stop (session, 2);
+  act (session, "answer-number", g_variant_new ("(uu)", 1, 1));
+  act (session, "answer-number", g_variant_new ("(uu)", 2, 3));
+  act (session, "check", NULL);
+  assert_state (session, "right");
+}
+
+static void
+test_counters_tell_nothing_while_it_asks (void)
+{
+  g_autoptr (Session) session = begin ();
+  g_autoptr (GPtrArray) laws = laws_of (session_get_frame (session));
+
+  laws_hide (laws);
+  for (guint i = 0; i < laws->len; i++) {
+    const Law *law = g_ptr_array_index (laws, i);
+
+    g_assert_true (g_str_equal (law->key, "inserted")
+                   || g_str_equal (law->value, "?"));
+  }
+}
+
+static void
+test_a_drag_is_right_when_it_is_let_go (void)
+{
+  g_autoptr (Session) session = begin ();
+
+  session_set_stop (session, 3);
+  assert_state (session, "open");
+  session_begin_edit (session);
+  g_assert_true (session_move_site (session, 7, (Site){ 0.25, 0.25 }, NULL));
+  g_assert_true (session_move_site (session, 7, (Site){ 2, 2 }, NULL));
+  assert_state (session, "open");
+  session_end_edit (session);
+  assert_state (session, "right");
+  g_assert_cmpfloat (session_get_set (session)->sites[7].x, ==, 2);
+}
+
+static void
+test_another_is_about_other_sites (void)
+{
+  g_autoptr (Session) session = begin ();
+  const Trace *lessons = session_get_trace (session);
+
+  act (session, "show-answer", NULL);
+  for (guint i = 0; i < 5; i++) {
+    act (session, "another", NULL);
+    g_assert_true (session_get_trace (session) != lessons);
+    assert_state (session, "open");
+    g_assert_true (session_is_asking (session));
+    act (session, "show-answer", NULL);
+    assert_state (session, "shown");
+  }
+  act (session, "continue", NULL);
+  g_assert_cmpuint (session_get_stop (session), ==, 1);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
+}
+
+static void
+test_what_is_no_answer_is_refused (void)
+{
+  static const char *const answers[] = { "s4", "r0", "v0", "f99", "o1", "x" };
+  g_autoptr (Session) session = begin ();
+
+  for (guint i = 0; i < G_N_ELEMENTS (answers); i++)
+    g_assert_false (action_run (session, "answer-toggle",
+                                g_variant_new_string (answers[i]), NULL));
+  g_assert_false (action_run (session, "check", NULL, NULL));
+}
+
+static const struct {
+  const char *name;
+  GTestFunc run;
+} tests[] = {
+  { "/exercise/a-question-stops-before-its-event",
+    test_a_question_stops_before_its_event },
+  { "/exercise/the-mask-leaves-no-role-of-the-round",
+    test_the_mask_leaves_no_role_of_the_round },
+  { "/exercise/a-right-answer-goes-on-to-what-it-shows",
+    test_a_right_answer_goes_on_to_what_it_shows },
+  { "/exercise/a-wrong-answer-has-its-retries",
+    test_a_wrong_answer_has_its_retries },
+  { "/exercise/hints-come-one-after-the-other",
+    test_hints_come_one_after_the_other },
+  { "/exercise/no-question-holds-a-class-up",
+    test_no_question_holds_a_class_up },
+  { "/exercise/stepping-past-the-event-shows-the-answer",
+    test_stepping_past_the_event_shows_the_answer },
+  { "/exercise/numbers-are-answered-by-their-place",
+    test_numbers_are_answered_by_their_place },
+  { "/exercise/counters-tell-nothing-while-it-asks",
+    test_counters_tell_nothing_while_it_asks },
+  { "/exercise/a-drag-is-right-when-it-is-let-go",
+    test_a_drag_is_right_when_it_is_let_go },
+  { "/exercise/another-is-about-other-sites",
+    test_another_is_about_other_sites },
+  { "/exercise/what-is-no-answer-is-refused",
+    test_what_is_no_answer_is_refused },
+};
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  for (guint i = 0; i < G_N_ELEMENTS (tests); i++)
+    g_test_add_func (tests[i].name, tests[i].run);
+  return g_test_run ();
+}
