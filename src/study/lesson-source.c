@@ -94,13 +94,25 @@ character_fault (const char *at, const char *end)
   return NULL;
 }
 
+/* Returns: how many blanks begin a line, which may be the last of a text that
+ * nothing ends. */
+static gsize
+count_blanks (const char *line, gsize length)
+{
+  gsize n = 0;
+
+  while (n < length && (line[n] == ' ' || line[n] == '\t'))
+    n += 1;
+  return n;
+}
+
 /* Returns: whether the line is blank, or a rule or underline of one mark
  *          alone, which nests nothing. */
 static gboolean
 is_rule (const char *line, gsize length)
 {
-  const gsize blanks = strspn (line, " \t");
-  const char mark = line[MIN (blanks, length)];
+  const gsize blanks = count_blanks (line, length);
+  const char mark = blanks < length ? line[blanks] : ' ';
 
   for (gsize i = blanks; i < length; i++)
     if (line[i] != mark && line[i] != ' ' && line[i] != '\t')
@@ -284,7 +296,7 @@ lesson_line_init (LessonLine *line, const LessonSource *source, guint number)
 {
   gsize length;
   const char *start = lesson_source_line (source, number, &length);
-  const gsize blanks = MIN (strspn (start, " \t"), length);
+  const gsize blanks = count_blanks (start, length);
 
   line->line = number;
   line->column = column_of (start, start + blanks);
