@@ -1,4 +1,5 @@
 #include "document.h"
+#include "point-import.h"
 
 #include <glib/gstdio.h>
 #include <string.h>
@@ -133,10 +134,12 @@ test_what_is_copied_can_be_pasted (void)
   g_autofree char *copy = NULL;
   g_autoptr (GError) error = NULL;
 
-  g_assert_true (document_paste (session, "1 2\n0.1;-0.3\n", &error));
+  g_assert_true (point_import_text (session, "1 2\n0.1;-0.3\n", "clipboard",
+                                    "paste", &error));
   copy = document_copy (session);
   g_assert_cmpstr (copy, ==, "1 2\n0.1 -0.3\n");
-  g_assert_false (document_paste (session, "words\n", &error));
+  g_assert_false (
+      point_import_text (session, "words\n", "clipboard", "paste", &error));
   g_assert_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_REFUSED);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 2);
   session_undo (session);

@@ -1,6 +1,7 @@
 #include "window-private.h"
 
 #include "document.h"
+#include "point-import.h"
 #include "shortcuts-window.h"
 
 #include <glib/gi18n.h>
@@ -88,7 +89,8 @@ on_clipboard_text (GtkClipboard *clipboard, const char *text, gpointer user)
     return;
   if (text == NULL)
     hull2vd_window_say (window, _ ("The clipboard holds no text"));
-  else if (!document_paste (window->session, text, &error))
+  else if (!point_import_text (window->session, text, _ ("clipboard"),
+                               _ ("paste"), &error))
     hull2vd_window_say (window, error->message);
 }
 

@@ -69,27 +69,36 @@ read_stream (FILE *file, gsize *length)
   return g_string_free (text, FALSE);
 }
 
-SiteSet *
-document_read_points (const char *path, GError **error)
+char *
+document_read (const char *path, gsize *length, GError **error)
 {
   const gboolean is_input = g_str_equal (path, "-");
   FILE *file = is_input ? stdin : g_fopen (path, "rbe");
   g_autofree char *text = NULL;
   gboolean has_failed;
-  gsize length;
 
   if (file == NULL) {
     refuse_file (DOCUMENT_ERROR_CANNOT_OPEN, path, errno, error);
     return NULL;
   }
   errno = 0;
-  text = read_stream (file, &length);
+  text = read_stream (file, length);
   has_failed = ferror (file) != 0;
   if (has_failed)
     refuse_file (DOCUMENT_ERROR_CANNOT_OPEN, path, errno, error);
   if (!is_input)
     fclose (file);
-  return has_failed ? NULL : document_parse_points (text, length, path, error);
+  return has_failed ? NULL : g_steal_pointer (&text);
+}
+
+SiteSet *
+document_read_points (const char *path, GError **error)
+{
+  gsize length;
+  g_autofree char *text = document_read (path, &length, error);
+
+  return text == NULL ? NULL
+                      : document_parse_points (text, length, path, error);
 }
 
 static Site *
@@ -135,15 +144,6 @@ document_open (Session *session, const char *path, GError **error)
     return FALSE;
   session_set_lesson (session, NULL);
   return open_set (session, set, error);
-}
-
-gboolean
-document_paste (Session *session, const char *text, GError **error)
-{
-  SiteSet *set
-      = document_parse_points (text, strlen (text), _ ("clipboard"), error);
-
-  return set != NULL && open_set (session, set, error);
 }
 
 char *

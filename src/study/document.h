@@ -24,18 +24,21 @@ gboolean document_is_lesson (const char *path);
  * Errors: DOCUMENT_ERROR or LESSON_ERROR; then the session is unchanged. */
 gboolean document_open (Session *session, const char *path, GError **error);
 
-/* Reads points, from the clipboard too; @name is for messages. */
+/* Reads points; @name is for messages. */
 SiteSet *document_parse_points (const char *text,
                                 gsize length,
                                 const char *name,
                                 GError **error);
 
+/* Reads a file to its end, however long it is, or "-".
+ *
+ * Returns: (transfer full): its bytes, or NULL with @error
+ *          (DOCUMENT_ERROR_CANNOT_OPEN) set. */
+char *document_read (const char *path, gsize *length, GError **error);
+
 /* Returns: (transfer full): the points of a file, free with
  *          site_set_free(), or NULL with @error set. */
 SiteSet *document_read_points (const char *path, GError **error);
-
-/* Replaces the session's sites by points from the clipboard. */
-gboolean document_paste (Session *session, const char *text, GError **error);
 
 /* Returns: (transfer full): the sites as the text of a points file. */
 char *document_copy (Session *session);

@@ -122,10 +122,11 @@ session_set_order (Session *session, const Order *order)
 }
 
 gboolean
-session_set_sites (Session *session,
-                   const Site *sites,
-                   guint n_sites,
-                   GError **error)
+session_replace_sites (Session *session,
+                       const Site *sites,
+                       guint n_sites,
+                       const char *edit,
+                       GError **error)
 {
   Run *run = make_run (session, sites, n_sites, error);
 
@@ -133,15 +134,25 @@ session_set_sites (Session *session,
     return FALSE;
   session_hold (session);
   session_end_edit (session);
-  put_edit (session, run,
-            g_strdup (n_sites == 0 ? _ ("removal of all sites")
-                                   : _ ("replacement of all sites")));
+  put_edit (session, run, g_strdup (edit));
   session_put_step (session, run->trace->n_events);
   session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
   session_fit (session);
   session_release (session);
   return TRUE;
+}
+
+gboolean
+session_set_sites (Session *session,
+                   const Site *sites,
+                   guint n_sites,
+                   GError **error)
+{
+  return session_replace_sites (session, sites, n_sites,
+                                n_sites == 0 ? _ ("removal of all sites")
+                                             : _ ("replacement of all sites"),
+                                error);
 }
 
 gboolean

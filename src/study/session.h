@@ -73,6 +73,12 @@ gboolean session_set_sites (Session *session,
                             const Site *sites,
                             guint n_sites,
                             GError **error);
+/* The same, with a name of its own for undo: "paste", translated. */
+gboolean session_replace_sites (Session *session,
+                                const Site *sites,
+                                guint n_sites,
+                                const char *edit,
+                                GError **error);
 gboolean session_add_site (Session *session, Site site, GError **error);
 gboolean
 session_move_site (Session *session, guint site, Site to, GError **error);

@@ -1,0 +1,242 @@
+#include "point-import.h"
+
+#include "document.h"
+#include "lesson-source.h"
+#include "site-file.h"
+#include "words.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+#define BYTE_ORDER_MARK "\xef\xbb\xbf"
+/* Longer first lines are no headings. */
+#define HEAD_MAX 200
+
+/* What comes before the rows. */
+typedef struct Head {
+  gsize length;     /* bytes of the text that are no rows */
+  guint n_lines;    /* that these bytes make */
+  guint count_line; /* where the number of rows is said, 0: nowhere */
+  guint64 n_rows;
+} Head;
+
+/* A walk through the lines of a text. */
+typedef struct Lines {
+  const char *next, *end;
+  guint n; /* lines so far */
+} Lines;
+
+/* Returns: (transfer full): the next line that says something, without blanks
+ *          around it, or NULL when there is none or it is too long to be
+ *          looked at. */
+static char *
+next_line (Lines *lines)
+{
+  while (lines->next < lines->end) {
+    const char *start = lines->next;
+    const char *feed = memchr (start, '\n', (gsize)(lines->end - start));
+    const char *stop = feed == NULL ? lines->end : feed;
+    g_autofree char *line = NULL;
+
+    if (stop - start > HEAD_MAX)
+      return NULL;
+    lines->next = feed == NULL ? lines->end : feed + 1;
+    lines->n += 1;
+    line = g_strstrip (g_strndup (start, (gsize)(stop - start)));
+    if (*line != '\0' && *line != '#')
+      return g_steal_pointer (&line);
+  }
+  return NULL;
+}
+
+/* Whether @field may be what a column is called. */
+static gboolean
+is_heading (const char *field)
+{
+  static const char *const numbers[]
+      = { "nan", "inf", "infinity", "nil", "null", "none", NULL };
+  g_autofree char *name = g_strstrip (g_strdup (field));
+  const gsize length = strlen (name);
+  const gboolean is_quoted
+      = length > 2 && name[0] == '"' && name[length - 1] == '"';
+  g_autofree char *bare = is_quoted ? g_strndup (name + 1, length - 2) : NULL;
+  g_autofree char *lower = g_ascii_strdown (is_quoted ? bare : name, -1);
+
+  if (!g_utf8_validate (lower, -1, NULL)
+      || !g_unichar_isalpha (g_utf8_get_char (lower)))
+    return FALSE;
+  for (const char *c = lower; *c != '\0'; c = g_utf8_next_char (c))
+    if (g_unichar_iscntrl (g_utf8_get_char (c)) || *c == '"')
+      return FALSE;
+  /* No number was written there, but one was meant. */
+  return !g_strv_contains (numbers, lower);
+}
+
+/* Headings are two names with one separator between them. */
+static gboolean
+is_headings (const char *line)
+{
+  const char *separators = strpbrk (line, ",;\t");
+  const char separator[] = { separators != NULL ? *separators : ' ', '\0' };
+  g_auto (GStrv) fields = g_strsplit (line, separator, -1);
+
+  return g_strv_length (fields) == 2 && is_heading (fields[0])
+         && is_heading (fields[1]);
+}
+
+static void
+take_lines (Head *head, const char *text, const Lines *lines)
+{
+  head->length = (gsize)(lines->next - text);
+  head->n_lines = lines->n;
+}
+
+static gboolean
+read_headings (const char *text, Lines lines, Head *head)
+{
+  g_autofree char *first = next_line (&lines);
+  Lines rest = lines;
+  g_autofree char *row = first == NULL ? NULL : next_line (&rest);
+
+  if (row == NULL || !is_headings (first))
+    return FALSE;
+  take_lines (head, text, &lines);
+  return TRUE;
+}
+
+/* "2" or "2 rbox 10 D2": a number that a name follows, if anything does. */
+static gboolean
+is_dimension (const char *line, guint64 *dimension)
+{
+  g_auto (GStrv) words = words_split (line);
+
+  return words[0] != NULL && words_parse_number (words[0], 1000, dimension)
+         && (words[1] == NULL || g_ascii_isalpha (words[1][0]));
+}
+
+/* The dimension, then the number of points. */
+static gboolean
+read_counts (const char *text, Lines lines, Head *head, guint64 *dimension)
+{
+  g_autofree char *first = next_line (&lines);
+  g_autofree char *second = first == NULL ? NULL : next_line (&lines);
+
+  if (second == NULL || !is_dimension (first, dimension)
+      || !words_parse_number (second, G_MAXUINT32, &head->n_rows))
+    return FALSE;
+  take_lines (head, text, &lines);
+  head->count_line = lines.n;
+  return TRUE;
+}
+
+static SiteSet *
+refuse (const char *name, guint line, const char *reason, GError **error)
+{
+  g_autofree char *shown = display_path (name);
+
+  if (line == 0)
+    g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_REFUSED, "%s: %s", shown,
+                 reason);
+  else
+    g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_REFUSED, "%s:%u: %s",
+                 shown, line, reason);
+  return NULL;
+}
+
+static SiteSet *
+parse_rows (const char *text,
+            gsize length,
+            const Head *head,
+            const char *name,
+            GError **error)
+{
+  SiteFileError fault;
+  SiteSet *set
+      = site_file_parse (text + head->length, length - head->length, &fault);
+  g_autofree char *reason = NULL;
+
+  if (set == NULL)
+    return refuse (name, fault.line == 0 ? 0 : head->n_lines + fault.line,
+                   fault.reason, error);
+  if (head->count_line == 0 || head->n_rows == set->n_sites)
+    return set;
+  reason = g_strdup_printf ("%" G_GUINT64_FORMAT
+                            " points are announced, but %u follow",
+                            head->n_rows, set->n_sites);
+  site_set_free (set);
+  return refuse (name, head->count_line, reason, error);
+}
+
+SiteSet *
+point_import_parse (const char *text,
+                    gsize length,
+                    const char *name,
+                    gboolean *is_foreign,
+                    GError **error)
+{
+  const gsize mark = strlen (BYTE_ORDER_MARK);
+  const gboolean is_marked
+      = length >= mark && memcmp (text, BYTE_ORDER_MARK, mark) == 0;
+  const Lines lines = { text + (is_marked ? mark : 0), text + length, 0 };
+  Head head = { 0, 0, 0, 0 };
+  guint64 dimension = 2;
+  const gboolean has_headings = read_headings (text, lines, &head);
+  const gboolean has_counts
+      = !has_headings && read_counts (text, lines, &head, &dimension);
+
+  if (is_foreign != NULL)
+    *is_foreign = has_headings || has_counts;
+  if (has_counts && dimension != 2)
+    return refuse (name, head.count_line,
+                   "points of two dimensions are expected", error);
+  return parse_rows (text, length, &head, name, error);
+}
+
+/* Into a session */
+
+static gboolean
+put_set (Session *session, SiteSet *set, const char *edit, GError **error)
+{
+  g_autofree Site *sites = g_new (Site, set->n_sites + 1);
+  const guint n_sites = set->n_sites;
+
+  for (guint i = 0; i < n_sites; i++)
+    sites[i] = site_set_given (set, i);
+  site_set_free (set);
+  return session_replace_sites (session, sites, n_sites, edit, error);
+}
+
+gboolean
+point_import_open (Session *session,
+                   const char *path,
+                   gboolean *is_foreign,
+                   GError **error)
+{
+  g_autofree char *text = NULL;
+  gsize length;
+  SiteSet *set;
+
+  *is_foreign = FALSE;
+  if (document_is_lesson (path))
+    return document_open (session, path, error);
+  text = document_read (path, &length, error);
+  if (text == NULL)
+    return FALSE;
+  set = point_import_parse (text, length, path, is_foreign, error);
+  if (set == NULL)
+    return FALSE;
+  session_set_lesson (session, NULL);
+  return put_set (session, set, _ ("opening of a file"), error);
+}
+
+gboolean
+point_import_text (Session *session,
+                   const char *text,
+                   const char *origin,
+                   const char *edit,
+                   GError **error)
+{
+  SiteSet *set = point_import_parse (text, strlen (text), origin, NULL, error);
+
+  return set != NULL && put_set (session, set, edit, error);
+}
