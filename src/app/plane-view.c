@@ -1,6 +1,5 @@
 #include "plane-view.h"
 
-#include "canvas-input.h"
 #include "hold-insert.h"
 #include "site-edit.h"
 #include "site-preview.h"

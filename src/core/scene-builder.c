@@ -381,9 +381,31 @@ is_counterpart (const SceneBuilder *builder, Object a, Object b)
   return group != INDEX_NONE && group == scene_group (builder, b.number);
 }
 
+static int
+compare_sites (const void *left, const void *right)
+{
+  const uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;
+
+  return a < b ? -1 : a > b;
+}
+
+bool
+scene_is_selected (const SceneLook *look, uint32_t site)
+{
+  if (look->selection.kind == OBJECT_SITE && look->selection.number == site)
+    return true;
+  return look->n_selected > 0
+         && bsearch (&site, look->selected, look->n_selected, sizeof site,
+                     compare_sites)
+                != NULL;
+}
+
 Lit
 scene_lit (const SceneBuilder *builder, Object object)
 {
+  if (object.kind == OBJECT_SITE
+      && scene_is_selected (builder->look, object.number))
+    return LIT_SELECTED;
   if (is_counterpart (builder, object, builder->look->selection))
     return LIT_SELECTED;
   /* A preview has taken the place of what a cell would light. */

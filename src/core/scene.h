@@ -252,12 +252,17 @@ typedef struct SceneLook {
   const uint32_t *hues; /* SceneItem.hue of each site's cell, n_hues of them;
                            borrowed; NULL: a site's own number */
   uint32_t n_hues;
+  const uint32_t *selected; /* sites, ascending; borrowed; NULL: none but */
+  uint32_t n_selected;      /* the selection */
   Point3 low, high; /* plane scene: the visible rectangle, to clip to; see
                        scene_look_fit() */
 } SceneLook;
 
 #define RAISE_DEFAULT 0.7
 #define RAISE_MOST 2.0
+
+/* Returns: whether @site is selected, alone or among others. */
+bool scene_is_selected (const SceneLook *look, uint32_t site);
 
 /* The default look at all sites of a frame. */
 void scene_look_init (SceneLook *look, const Frame *frame);

@@ -57,7 +57,13 @@ ACTION_RUN (action_delete_selection)
   guint site;
 
   return get_selected_site (session, &site, error)
-         && session_remove_site (session, site, error);
+         && session_remove_selected (session, error);
+}
+
+ACTION_RUN (action_snap)
+{
+  session_set_snaps (session, !session_get_snaps (session));
+  return TRUE;
 }
 
 /* Sets the direction, in steps of the grid. */
@@ -95,7 +101,7 @@ ACTION_RUN (action_nudge)
   to = session_snap (session,
                      (Site){ set->sites[site].x + direction.x * grid,
                              set->sites[site].y + direction.y * grid });
-  return session_move_site (session, site, to, error);
+  return session_move_selected (session, site, to, error);
 }
 
 ACTION_RUN (action_sites)

@@ -170,6 +170,54 @@ ACTION_RUN (action_select_next)
   return TRUE;
 }
 
+/* Returns: whether there are all these sites. */
+static gboolean
+check_sites (Session *session, const guint32 *sites, gsize n, GError **error)
+{
+  const guint n_sites = session_get_set (session)->n_sites;
+
+  for (gsize i = 0; i < n; i++)
+    if (sites[i] >= n_sites) {
+      g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
+                   _ ("there is no site s%u"), sites[i]);
+      return FALSE;
+    }
+  return TRUE;
+}
+
+ACTION_RUN (action_select_sites)
+{
+  gsize n;
+  const guint32 *sites
+      = g_variant_get_fixed_array (parameter, &n, sizeof *sites);
+
+  if (!check_sites (session, sites, n, error))
+    return FALSE;
+  session_select_sites (session, sites, (guint)n);
+  return TRUE;
+}
+
+ACTION_RUN (action_toggle_site)
+{
+  const guint32 site = g_variant_get_uint32 (parameter);
+
+  if (!check_sites (session, &site, 1, error))
+    return FALSE;
+  session_toggle_site (session, site);
+  return TRUE;
+}
+
+ACTION_RUN (action_select_all)
+{
+  const guint n_sites = session_get_set (session)->n_sites;
+  g_autofree guint32 *sites = g_new (guint32, n_sites + 1);
+
+  for (guint i = 0; i < n_sites; i++)
+    sites[i] = i;
+  session_select_sites (session, sites, n_sites);
+  return TRUE;
+}
+
 ACTION_RUN (action_select_none)
 {
   session_set_selection (session, (Object){ OBJECT_NONE, 0 });

@@ -38,6 +38,9 @@ ACTION_RUN (action_measure_next);
 ACTION_RUN (action_focus);
 ACTION_RUN (action_select);
 ACTION_RUN (action_select_next); /* data: whether to go forwards */
+ACTION_RUN (action_select_sites);
+ACTION_RUN (action_toggle_site);
+ACTION_RUN (action_select_all);
 ACTION_RUN (action_select_none);
 ACTION_RUN (action_camera);
 ACTION_RUN (action_camera_preset); /* data: CameraPreset */
@@ -53,6 +56,7 @@ ACTION_RUN (action_move_site);
 ACTION_RUN (action_remove_site);
 ACTION_RUN (action_delete_selection);
 ACTION_RUN (action_nudge);
+ACTION_RUN (action_snap);
 ACTION_RUN (action_sites);
 ACTION_RUN (action_new);
 ACTION_RUN (action_undo);
@@ -92,6 +96,8 @@ ACTION_STATE (action_state_raise);
 ACTION_STATE (action_state_body_opacity); /* data: Body */
 ACTION_STATE (action_state_measure);
 ACTION_STATE (action_state_selection);
+ACTION_STATE (action_state_selected_sites);
+ACTION_STATE (action_state_snap);
 
 ACTION_STATE (action_state_question);
 ACTION_STATE (action_state_attempt);

@@ -108,6 +108,20 @@ ACTION_STATE (action_state_measure)
   return g_variant_new_string (name);
 }
 
+ACTION_STATE (action_state_selected_sites)
+{
+  guint n;
+  const guint32 *sites = session_get_selected_sites (session, &n);
+
+  return g_variant_new_fixed_array (G_VARIANT_TYPE_UINT32, sites, n,
+                                    sizeof *sites);
+}
+
+ACTION_STATE (action_state_snap)
+{
+  return g_variant_new_boolean (session_get_snaps (session));
+}
+
 ACTION_ENABLED (action_can_next)
 {
   return action->data == 0

@@ -1,12 +1,7 @@
 #include "session-private.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
 #include <string.h>
-
-/* The snap grid has this many steps, as a power of two, from the centre of
- * the view to its border. */
-#define GRID_BITS 6
 
 /* Returns: (transfer full): the run of @sites in the session's order; the
  *          lesson's own when they are the sites of its stop, so that its steps
@@ -86,10 +81,30 @@ put_edit (Session *session, Run *run, char *edit)
     session_remember (session, before, edit);
   session_set_hover (session,
                      keep_object (session->look.hover, run->set->n_sites));
-  session_set_selection (
-      session, keep_object (session->look.selection, run->set->n_sites));
+  session_trim_selection (session, run->set->n_sites);
   session_release (session);
   run_unref (before);
+}
+
+Site *
+session_copy_sites (Session *session)
+{
+  return run_given (session->run);
+}
+
+gboolean
+session_edit_sites (Session *session,
+                    const Site *sites,
+                    guint n_sites,
+                    const char *edit,
+                    GError **error)
+{
+  Run *run = make_run (session, sites, n_sites, error);
+
+  if (run == NULL)
+    return FALSE;
+  put_edit (session, run, g_strdup (edit));
+  return TRUE;
 }
 
 Order
@@ -115,8 +130,7 @@ session_set_order (Session *session, const Order *order)
   session_end_edit (session);
   session_put_run (session, run,
                    run_same_place (session->run, session->step, run));
-  session_set_selection (session,
-                         keep_object (session->look.selection, n_sites));
+  session_trim_selection (session, n_sites);
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
   session_release (session);
 }
@@ -238,8 +252,7 @@ session_remove_site (Session *session, guint site, GError **error)
     return FALSE;
   session_hold (session);
   session_set_hover (session, object_without (session->look.hover, site));
-  session_set_selection (session,
-                         object_without (session->look.selection, site));
+  session_forget_site (session, site);
   put_edit (session, run, g_strdup_printf (_ ("deletion of s%u"), site));
   session_release (session);
   return TRUE;
@@ -304,8 +317,7 @@ show_snapshot (Session *session, const Snapshot *snapshot)
   session_put_run (session, run,
                    run_same_place (session->run, session->step, run));
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
-  session_set_selection (session, keep_object (session->look.selection,
-                                               session->run->set->n_sites));
+  session_trim_selection (session, session->run->set->n_sites);
   session_fit_extent (session, FALSE);
   session_tell (session, CHANGED_HISTORY);
   session_release (session);
@@ -336,39 +348,4 @@ const char *
 session_get_redo_label (Session *session)
 {
   return history_redo_label (session->history);
-}
-
-/* The binary exponent of the grid, in units of SiteSet.sites. */
-static int
-grid_exponent (Session *session)
-{
-  const double zoom = MAX (session->plane_camera.zoom, 1);
-
-  return ilogb (session->look.extent.radius / zoom) - GRID_BITS;
-}
-
-double
-session_get_grid (Session *session)
-{
-  return ldexp (1, grid_exponent (session) + session->run->set->exponent);
-}
-
-static double
-snap (double coordinate, int exponent)
-{
-  const double steps = ldexp (coordinate, -exponent);
-
-  /* Beyond 2^53 steps doubles are coarser than the grid. */
-  return fabs (steps) < 0x1p53 ? ldexp (nearbyint (steps), exponent)
-                               : coordinate;
-}
-
-Site
-session_snap (Session *session, Site point)
-{
-  const int exponent = grid_exponent (session);
-  const int given = session->run->set->exponent;
-
-  return (Site){ ldexp (snap (point.x, exponent), given),
-                 ldexp (snap (point.y, exponent), given) };
 }

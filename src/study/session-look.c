@@ -27,15 +27,6 @@ session_set_focus (Session *session, Focus focus)
 }
 
 void
-session_set_selection (Session *session, Object object)
-{
-  if (object_equal (object, session->look.selection))
-    return;
-  session->look.selection = object;
-  session_tell (session, CHANGED_LOOK);
-}
-
-void
 session_set_hover (Session *session, Object object)
 {
   if (object_equal (object, session->look.hover))

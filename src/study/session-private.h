@@ -18,6 +18,8 @@ struct _Session {
   gboolean has_frame; /* frame is that of run and step */
 
   SceneLook look;
+  GArray *selected; /* guint32: what look.selected points to */
+  gboolean is_free; /* the mouse does not snap */
   Camera camera;
   PlaneCamera plane_camera;
 
@@ -91,6 +93,24 @@ gboolean session_question_is_open (Session *session);
  *
  * Returns: FALSE: there is none. */
 gboolean session_answer_then_go (Session *session);
+
+/* Returns: (transfer full): the coordinates as given. */
+Site *session_copy_sites (Session *session);
+
+/* Puts other sites in place as the edit @edit, a noun; the place in time and
+ * what is selected stay as far as they still exist. */
+gboolean session_edit_sites (Session *session,
+                             const Site *sites,
+                             guint n_sites,
+                             const char *edit,
+                             GError **error);
+
+/* Keeps of the selection only sites below @n_sites: all else is numbered
+ * anew. */
+void session_trim_selection (Session *session, guint n_sites);
+
+/* Before @site goes: those after it move up. */
+void session_forget_site (Session *session, guint site);
 
 /* Lets the stop follow the step from @old_step. */
 void session_follow_step (Session *session, guint old_step);

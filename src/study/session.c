@@ -70,6 +70,7 @@ session_finalize (GObject *object)
   session_question_forget (session);
   g_array_unref (session->answers);
   g_clear_pointer (&session->lesson, lesson_unref);
+  g_clear_pointer (&session->selected, g_array_unref);
   G_OBJECT_CLASS (session_parent_class)->finalize (object);
 }
 

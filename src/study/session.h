@@ -84,6 +84,12 @@ gboolean
 session_move_site (Session *session, guint site, Site to, GError **error);
 gboolean session_remove_site (Session *session, guint site, GError **error);
 
+/* Moves the selected site @lead there, and the other selected ones by as
+ * much. */
+gboolean
+session_move_selected (Session *session, guint lead, Site to, GError **error);
+gboolean session_remove_selected (Session *session, GError **error);
+
 /* Moves between begin and end are one edit for undo (a drag). */
 void session_begin_edit (Session *session);
 void session_end_edit (Session *session);
@@ -96,6 +102,11 @@ gboolean session_redo (Session *session);
 /* Returns: "Undo move of s3", translated, or NULL: nothing to undo. */
 const char *session_get_undo_label (Session *session);
 const char *session_get_redo_label (Session *session);
+
+/* Whether the mouse puts sites on a grid that can be seen; else on one finer
+ * than pixels. */
+gboolean session_get_snaps (Session *session);
+void session_set_snaps (Session *session, gboolean snaps);
 
 /* Puts a point of the plane, as scene_site() gives it, on the snap grid:
  * coordinates with few digits, on a power-of-two grid that is fine enough for
@@ -147,6 +158,14 @@ const SceneLook *session_get_look (Session *session);
 void session_set_layers (Session *session, guint layers);
 void session_set_focus (Session *session, Focus focus);
 void session_set_selection (Session *session, Object object);
+
+/* Several sites may be selected; SceneLook.selection is one of them.
+ *
+ * Shape: by number, each once. */
+const guint32 *session_get_selected_sites (Session *session, guint *n_sites);
+gboolean session_is_selected (Session *session, guint site);
+void session_select_sites (Session *session, const guint32 *sites, guint n);
+void session_toggle_site (Session *session, guint site);
 void session_set_hover (Session *session, Object object);
 /* Values beyond their range are brought into it. */
 void session_set_lift (Session *session, double lift);   /* 0 … 1 */

@@ -1,0 +1,167 @@
+#include "session.h"
+
+#include <string.h>
+
+static const Site five[]
+    = { { 0, 0 }, { 1, 0 }, { 0.1, 1 }, { 0.25, 0.3 }, { 0.75, 0.5 } };
+
+static Session *
+new_session (void)
+{
+  Session *session = session_new ();
+
+  g_assert_true (session_set_sites (session, five, 5, NULL));
+  return session;
+}
+
+static void
+assert_selected (Session *session, const char *expected)
+{
+  guint n;
+  const guint32 *sites = session_get_selected_sites (session, &n);
+  g_autoptr (GString) found = g_string_new (NULL);
+
+  for (guint i = 0; i < n; i++)
+    g_string_append_printf (found, "%ss%u", i > 0 ? " " : "", sites[i]);
+  g_assert_cmpstr (found->str, ==, expected);
+}
+
+static void
+assert_sites (Session *session, const Site *sites, guint n)
+{
+  const SiteSet *set = session_get_set (session);
+
+  g_assert_cmpuint (set->n_sites, ==, n);
+  for (guint i = 0; i < n; i++) {
+    g_assert_cmpfloat (site_set_given (set, i).x, ==, sites[i].x);
+    g_assert_cmpfloat (site_set_given (set, i).y, ==, sites[i].y);
+  }
+}
+
+static void
+test_sites_join_the_selection_and_leave_it (void)
+{
+  g_autoptr (Session) session = new_session ();
+  const guint32 some[] = { 4, 1, 4 };
+
+  session_toggle_site (session, 3);
+  session_toggle_site (session, 1);
+  assert_selected (session, "s1 s3");
+  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 1);
+  session_toggle_site (session, 3);
+  assert_selected (session, "s1");
+  session_select_sites (session, some, 3);
+  assert_selected (session, "s1 s4");
+  session_set_selection (session, (Object){ OBJECT_SITE, 4 });
+  assert_selected (session, "s4");
+  session_set_selection (session, (Object){ OBJECT_FACET, 0 });
+  assert_selected (session, "");
+}
+
+static void
+test_several_move_as_one_edit (void)
+{
+  g_autoptr (Session) session = new_session ();
+  const guint32 some[] = { 1, 3 };
+  const Site moved[]
+      = { { 0, 0 }, { 1.5, 0.25 }, { 0.1, 1 }, { 0.75, 0.55 }, { 0.75, 0.5 } };
+
+  session_select_sites (session, some, 2);
+  session_begin_edit (session);
+  session_move_selected (session, 1, (Site){ 1.25, 0 }, NULL);
+  session_move_selected (session, 1, (Site){ 1.5, 0.25 }, NULL);
+  session_end_edit (session);
+  assert_sites (session, moved, 5);
+  assert_selected (session, "s1 s3");
+  g_assert_cmpstr (session_get_undo_label (session), ==,
+                   "Undo move of 2 sites");
+  session_undo (session);
+  assert_sites (session, five, 5);
+}
+
+static void
+test_several_go_as_one_edit (void)
+{
+  g_autoptr (Session) session = new_session ();
+  const guint32 some[] = { 0, 3 };
+  const Site left[] = { { 1, 0 }, { 0.1, 1 }, { 0.75, 0.5 } };
+
+  session_select_sites (session, some, 2);
+  g_assert_true (session_remove_selected (session, NULL));
+  assert_sites (session, left, 3);
+  assert_selected (session, "");
+  g_assert_cmpstr (session_get_undo_label (session), ==,
+                   "Undo deletion of 2 sites");
+  session_undo (session);
+  assert_sites (session, five, 5);
+  session_redo (session);
+  assert_sites (session, left, 3);
+}
+
+static void
+test_what_moves_up_stays_selected (void)
+{
+  g_autoptr (Session) session = new_session ();
+  const guint32 some[] = { 1, 2, 4 };
+
+  session_select_sites (session, some, 3);
+  session_remove_site (session, 2, NULL);
+  assert_selected (session, "s1 s3");
+  session_undo (session);
+  session_set_sites (session, five, 2, NULL);
+  assert_selected (session, "");
+}
+
+/* Coordinates that no exact scaling fits leave all as it was. */
+static void
+test_a_move_out_of_range_is_refused (void)
+{
+  g_autoptr (Session) session = new_session ();
+  g_autoptr (GError) error = NULL;
+
+  session_toggle_site (session, 2);
+  g_assert_false (
+      session_move_selected (session, 2, (Site){ 1e200, 1e-200 }, &error));
+  g_assert_error (error, SESSION_ERROR, SESSION_ERROR_RANGE);
+  assert_sites (session, five, 5);
+}
+
+static void
+test_without_the_grid_points_stay_where_they_are (void)
+{
+  g_autoptr (Session) session = new_session ();
+  const Site point = { 0.123456, 0.654321 };
+  Site at = session_snap (session, point);
+
+  g_assert_true (session_get_snaps (session));
+  g_assert_cmpfloat (ABS (at.x - point.x), >, 1e-4);
+  session_set_snaps (session, FALSE);
+  at = session_snap (session, point);
+  g_assert_cmpfloat (ABS (at.x - point.x), <, 1e-4);
+  g_assert_cmpfloat (ABS (at.y - point.y), <, 1e-4);
+}
+
+static const struct {
+  const char *name;
+  GTestFunc run;
+} tests[] = {
+  { "/selection/sites-join-the-selection-and-leave-it",
+    test_sites_join_the_selection_and_leave_it },
+  { "/selection/several-move-as-one-edit", test_several_move_as_one_edit },
+  { "/selection/several-go-as-one-edit", test_several_go_as_one_edit },
+  { "/selection/what-moves-up-stays-selected",
+    test_what_moves_up_stays_selected },
+  { "/selection/a-move-out-of-range-is-refused",
+    test_a_move_out_of_range_is_refused },
+  { "/selection/without-the-grid-points-stay-where-they-are",
+    test_without_the_grid_points_stay_where_they_are },
+};
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  for (guint i = 0; i < G_N_ELEMENTS (tests); i++)
+    g_test_add_func (tests[i].name, tests[i].run);
+  return g_test_run ();
+}
