@@ -1,6 +1,7 @@
 #include "canvas-child.h"
 
-#include "number.h"
+#include "canvas-menu.h"
+#include "canvas-name.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -22,86 +23,16 @@ G_DEFINE_TYPE_WITH_CODE (
     G_IMPLEMENT_INTERFACE (ATK_TYPE_ACTION, canvas_child_action_init)
         G_IMPLEMENT_INTERFACE (ATK_TYPE_COMPONENT, canvas_child_component_init))
 
-/* Names */
-
-static const char *
-site_state_text (SiteState state)
-{
-  switch (state) {
-  case SITE_WAITING:
-    return _ ("waiting");
-  case SITE_OUTSIDE:
-    return _ ("in the outside set in hand");
-  case SITE_APEX:
-    return _ ("the new site");
-  case SITE_INSERTED:
-    return _ ("on the hull");
-  case SITE_DUPLICATE:
-    return _ ("a duplicate");
-  }
-  return "";
-}
-
-static char *
-name_site (Session *session, guint site)
-{
-  const Frame *frame = session_get_frame (session);
-  const Site given = site_set_given (session_get_set (session), site);
-  char x[NUMBER_ROOM], y[NUMBER_ROOM];
-
-  number_write (given.x, x);
-  number_write (given.y, y);
-  /* Translators: a site, its coordinates and its state: s3 (0.5, 1), on the
-     hull */
-  return g_strdup_printf (_ ("s%u (%s, %s), %s"), site, x, y,
-                          site_state_text (site < frame->n_sites
-                                               ? frame->sites[site].state
-                                               : SITE_WAITING));
-}
-
-static const char *
-facing_text (Facing facing)
-{
-  switch (facing) {
-  case FACING_LOWER:
-    return _ ("lower");
-  case FACING_VERTICAL:
-    return _ ("vertical");
-  case FACING_UPPER:
-    return _ ("upper");
-  }
-  return "";
-}
-
-static char *
-name_facet (Session *session, guint facet)
-{
-  const Frame *frame = session_get_frame (session);
-  const guint roles = frame_facet_roles (frame, facet);
-  const FacetRow *row;
-
-  if (frame->trace->is_flat || facet >= frame->trace->n_facets)
-    return g_strdup_printf (_ ("triangle %u"), facet);
-  row = &frame->trace->facets[facet];
-  return g_strdup_printf ("f%u: s%u s%u s%u, %s%s%s", facet, row->site[0],
-                          row->site[1], row->site[2], facing_text (row->facing),
-                          roles & FACET_VISIBLE ? _ (", visible") : "",
-                          roles & FACET_CONE ? _ (", in the cone") : "");
-}
-
 static const char *
 canvas_child_get_name (AtkObject *object)
 {
   CanvasChild *child = HULL2VD_CANVAS_CHILD (object);
-  Session *session;
 
   if (child->canvas == NULL)
     return NULL;
-  session = canvas_get_session (child->canvas);
   g_free (child->name);
-  child->name = child->object.kind == OBJECT_SITE
-                    ? name_site (session, child->object.number)
-                    : name_facet (session, child->object.number);
+  child->name
+      = canvas_name_object (canvas_get_session (child->canvas), child->object);
   return child->name;
 }
 
@@ -153,7 +84,9 @@ canvas_child_ref_state_set (AtkObject *object)
   atk_state_set_add_state (states, ATK_STATE_SHOWING);
   atk_state_set_add_state (states, ATK_STATE_SELECTABLE);
   atk_state_set_add_state (states, ATK_STATE_FOCUSABLE);
-  if (object_equal (look->selection, child->object))
+  if (object_equal (look->selection, child->object)
+      || (child->object.kind == OBJECT_SITE
+          && scene_is_selected (look, child->object.number)))
     atk_state_set_add_state (states, ATK_STATE_SELECTED);
   if (gtk_widget_has_focus (GTK_WIDGET (child->canvas))
       && object_equal (canvas_get_cursor (child->canvas), child->object))

@@ -1,5 +1,6 @@
 #include "canvas-input.h"
 
+#include "canvas-touch.h"
 #include "site-edit.h"
 
 #include <math.h>
@@ -7,7 +8,6 @@
 /* A press that moves less than this is a click. */
 #define CLICK_PX 4.0
 #define ZOOM_STEP 1.15
-#define PAN_STEP_PX 40.0
 
 typedef enum DragMode {
   DRAG_NONE, /* not moved yet: may still be a click */
@@ -22,7 +22,6 @@ typedef struct CanvasInput {
   gboolean is_click; /* unless it moves */
   int n_presses;     /* in quick succession */
   double last_px[2];
-  double pinch_scale;
   const char *pointer; /* name of its shape */
 } CanvasInput;
 
@@ -74,7 +73,7 @@ on_drag_begin (GtkGesture *gesture, double x, double y, Canvas *canvas)
 static gboolean
 is_pan (const CanvasPress *press)
 {
-  return press->button == GDK_BUTTON_MIDDLE
+  return press->button != GDK_BUTTON_PRIMARY
          || (press->modifiers & GDK_SHIFT_MASK) != 0;
 }
 
@@ -172,27 +171,6 @@ on_pressed (GtkGesture *gesture, int n, double x, double y, Canvas *canvas)
   get_input (canvas)->n_presses = n;
 }
 
-/* Zoom */
-
-static void
-on_pinch_begin (GtkGesture *gesture, GdkEventSequence *sequence, Canvas *canvas)
-{
-  (void)gesture;
-  (void)sequence;
-  get_input (canvas)->pinch_scale = 1;
-}
-
-static void
-on_pinch (GtkGesture *gesture, double scale, Canvas *canvas)
-{
-  CanvasInput *input = get_input (canvas);
-  double at_px[2] = { 0, 0 };
-
-  gtk_gesture_get_bounding_box_center (gesture, &at_px[0], &at_px[1]);
-  get_class (canvas)->zoom (canvas, at_px, scale / input->pinch_scale);
-  input->pinch_scale = scale;
-}
-
 static void
 on_scroll (GtkEventController *controller, double dx, double dy, Canvas *canvas)
 {
@@ -224,12 +202,11 @@ set_pointer (Canvas *canvas, const char *name)
 }
 
 static void
-on_motion (GtkEventController *controller, double x, double y, Canvas *canvas)
+hover_at (Canvas *canvas, double x, double y)
 {
   const double at_px[2] = { x, y };
   Object object;
 
-  (void)controller;
   if (get_input (canvas)->mode != DRAG_NONE)
     return;
   object = canvas_pick (canvas, at_px);
@@ -238,163 +215,25 @@ on_motion (GtkEventController *controller, double x, double y, Canvas *canvas)
 }
 
 static void
-on_leave (GtkEventController *controller, Canvas *canvas)
+on_motion (GtkEventController *controller, double x, double y, Canvas *canvas)
 {
   (void)controller;
-  if (get_input (canvas)->mode == DRAG_NONE)
+  hover_at (canvas, x, y);
+}
+
+/* The controller of GTK 3 does not tell of every way in and out; who comes in
+ * and stops says nothing else. */
+static gboolean
+on_crossing (GtkWidget *widget, GdkEventCrossing *event, gpointer user)
+{
+  Canvas *canvas = HULL2VD_CANVAS (widget);
+
+  (void)user;
+  if (event->type == GDK_ENTER_NOTIFY)
+    hover_at (canvas, event->x, event->y);
+  else if (get_input (canvas)->mode == DRAG_NONE)
     session_set_hover (canvas_get_session (canvas), (Object){ OBJECT_NONE, 0 });
-}
-
-/* Keys */
-
-gboolean
-canvas_arrow (guint keyval, double by[2])
-{
-  static const struct {
-    guint keyval, keypad;
-    double by[2];
-  } arrows[] = {
-    { GDK_KEY_Left, GDK_KEY_KP_Left, { -1, 0 } },
-    { GDK_KEY_Right, GDK_KEY_KP_Right, { 1, 0 } },
-    { GDK_KEY_Up, GDK_KEY_KP_Up, { 0, -1 } },
-    { GDK_KEY_Down, GDK_KEY_KP_Down, { 0, 1 } },
-  };
-
-  for (guint i = 0; i < G_N_ELEMENTS (arrows); i++)
-    if (keyval == arrows[i].keyval || keyval == arrows[i].keypad) {
-      by[0] = arrows[i].by[0];
-      by[1] = arrows[i].by[1];
-      return TRUE;
-    }
-  return FALSE;
-}
-
-gboolean
-canvas_wants_key (Canvas *canvas, const GdkEventKey *event)
-{
-  const gboolean has_cursor = canvas_get_cursor (canvas).kind != OBJECT_NONE;
-  double by[2];
-
-  if (event->state & (GDK_CONTROL_MASK | GDK_MOD1_MASK))
-    return FALSE;
-  if (canvas_arrow (event->keyval, by))
-    return has_cursor || (event->state & GDK_SHIFT_MASK) != 0;
-
-  switch (event->keyval) {
-  case GDK_KEY_Return:
-  case GDK_KEY_KP_Enter:
-  case GDK_KEY_Insert:
-  case GDK_KEY_plus:
-  case GDK_KEY_KP_Add:
-  case GDK_KEY_minus:
-  case GDK_KEY_KP_Subtract:
-    return TRUE;
-  case GDK_KEY_Delete:
-  case GDK_KEY_BackSpace:
-  case GDK_KEY_Escape:
-    return has_cursor;
-  default:
-    return FALSE;
-  }
-}
-
-static gboolean
-zoom_by_key (Canvas *canvas, guint keyval)
-{
-  GtkWidget *widget = GTK_WIDGET (canvas);
-  const double middle[2] = { gtk_widget_get_allocated_width (widget) / 2.0,
-                             gtk_widget_get_allocated_height (widget) / 2.0 };
-
-  if (keyval == GDK_KEY_plus || keyval == GDK_KEY_KP_Add)
-    get_class (canvas)->zoom (canvas, middle, ZOOM_STEP);
-  else if (keyval == GDK_KEY_minus || keyval == GDK_KEY_KP_Subtract)
-    get_class (canvas)->zoom (canvas, middle, 1 / ZOOM_STEP);
-  else
-    return FALSE;
-  return TRUE;
-}
-
-static gboolean
-canvas_key_press (GtkWidget *widget, GdkEventKey *event)
-{
-  Canvas *canvas = HULL2VD_CANVAS (widget);
-  double by[2];
-
-  if (!canvas_wants_key (canvas, event))
-    return FALSE;
-  canvas_show_focus (canvas, TRUE);
-  if (get_class (canvas)->key (canvas, event)
-      || zoom_by_key (canvas, event->keyval))
-    return TRUE;
-  if (event->keyval == GDK_KEY_Escape) {
-    canvas_set_cursor (canvas, (Object){ OBJECT_NONE, 0 });
-    return TRUE;
-  }
-  if (event->keyval == GDK_KEY_Return || event->keyval == GDK_KEY_KP_Enter) {
-    session_set_selection (canvas_get_session (canvas),
-                           canvas_get_cursor (canvas));
-    return TRUE;
-  }
-  if (canvas_arrow (event->keyval, by)
-      && (event->state & GDK_SHIFT_MASK) != 0) {
-    get_class (canvas)->pan (
-        canvas, (const double[]){ -PAN_STEP_PX * by[0], -PAN_STEP_PX * by[1] });
-    return TRUE;
-  }
-  return FALSE;
-}
-
-/* Keys held down make one edit. */
-static gboolean
-canvas_key_release (GtkWidget *widget, GdkEventKey *event)
-{
-  (void)event;
-  site_edit_settle (HULL2VD_CANVAS (widget));
-  return FALSE;
-}
-
-/* Tab */
-
-/* The place of the cursor among the objects, -1 when on the whole view. */
-static int
-index_of_cursor (Canvas *canvas)
-{
-  const Object cursor = canvas_get_cursor (canvas);
-  const guint n = get_class (canvas)->count_objects (canvas);
-
-  for (guint i = 0; i < n; i++)
-    if (object_equal (get_class (canvas)->get_object (canvas, i), cursor))
-      return (int)i;
-  return -1;
-}
-
-static gboolean
-canvas_focus (GtkWidget *widget, GtkDirectionType direction)
-{
-  Canvas *canvas = HULL2VD_CANVAS (widget);
-  const int n = (int)get_class (canvas)->count_objects (canvas);
-  GdkModifierType modifiers;
-  int to;
-
-  if (direction != GTK_DIR_TAB_FORWARD && direction != GTK_DIR_TAB_BACKWARD)
-    return FALSE;
-  /* Ctrl+Tab leaves at once, however many objects there are. */
-  if (gtk_get_current_event_state (&modifiers)
-      && (modifiers & GDK_CONTROL_MASK) != 0 && gtk_widget_has_focus (widget))
-    return FALSE;
-  canvas_show_focus (canvas, TRUE);
-  if (!gtk_widget_has_focus (widget)) {
-    canvas_set_cursor (canvas, (Object){ OBJECT_NONE, 0 });
-    gtk_widget_grab_focus (widget);
-    return TRUE;
-  }
-  to = index_of_cursor (canvas) + (direction == GTK_DIR_TAB_FORWARD ? 1 : -1);
-  if (to < -1 || to >= n)
-    return FALSE;
-  canvas_set_cursor (
-      canvas, to < 0 ? (Object){ OBJECT_NONE, 0 }
-                     : get_class (canvas)->get_object (canvas, (guint)to));
-  return TRUE;
+  return GDK_EVENT_PROPAGATE;
 }
 
 static gboolean
@@ -406,14 +245,6 @@ on_focus_change (GtkWidget *widget, GdkEventFocus *event, gpointer user)
     canvas_show_focus (HULL2VD_CANVAS (widget), FALSE);
   gtk_widget_queue_draw (widget);
   return GDK_EVENT_PROPAGATE;
-}
-
-void
-canvas_input_class_init (GtkWidgetClass *class)
-{
-  class->key_press_event = canvas_key_press;
-  class->key_release_event = canvas_key_release;
-  class->focus = canvas_focus;
 }
 
 /* Set-up */
@@ -436,23 +267,6 @@ attach_press (Canvas *canvas, GtkGesture *gestures[N_CANVAS_GESTURES])
   gestures[CANVAS_GESTURE_PRESS] = press;
 }
 
-static void
-attach_zoom (Canvas *canvas,
-             GtkGesture *gestures[N_CANVAS_GESTURES],
-             GtkEventController *controllers[N_CANVAS_CONTROLLERS])
-{
-  GtkWidget *widget = GTK_WIDGET (canvas);
-  GtkGesture *pinch = gtk_gesture_zoom_new (widget);
-  GtkEventController *scroll = gtk_event_controller_scroll_new (
-      widget, GTK_EVENT_CONTROLLER_SCROLL_VERTICAL);
-
-  g_signal_connect (pinch, "begin", G_CALLBACK (on_pinch_begin), canvas);
-  g_signal_connect (pinch, "scale-changed", G_CALLBACK (on_pinch), canvas);
-  g_signal_connect (scroll, "scroll", G_CALLBACK (on_scroll), canvas);
-  gestures[CANVAS_GESTURE_PINCH] = pinch;
-  controllers[CANVAS_CONTROLLER_SCROLL] = scroll;
-}
-
 void
 canvas_input_attach (Canvas *canvas,
                      GtkGesture *gestures[N_CANVAS_GESTURES],
@@ -460,6 +274,8 @@ canvas_input_attach (Canvas *canvas,
 {
   GtkWidget *widget = GTK_WIDGET (canvas);
   GtkEventController *motion = gtk_event_controller_motion_new (widget);
+  GtkEventController *scroll = gtk_event_controller_scroll_new (
+      widget, GTK_EVENT_CONTROLLER_SCROLL_VERTICAL);
 
   g_object_set_data_full (G_OBJECT (canvas), "canvas-input",
                           g_new0 (CanvasInput, 1), g_free);
@@ -470,9 +286,14 @@ canvas_input_attach (Canvas *canvas,
           | GDK_SMOOTH_SCROLL_MASK | GDK_TOUCH_MASK | GDK_TOUCHPAD_GESTURE_MASK
           | GDK_KEY_PRESS_MASK | GDK_KEY_RELEASE_MASK | GDK_FOCUS_CHANGE_MASK);
   attach_press (canvas, gestures);
-  attach_zoom (canvas, gestures, controllers);
+  canvas_touch_attach (canvas, gestures);
+  g_signal_connect (scroll, "scroll", G_CALLBACK (on_scroll), canvas);
+  controllers[CANVAS_CONTROLLER_SCROLL] = scroll;
   g_signal_connect (motion, "motion", G_CALLBACK (on_motion), canvas);
-  g_signal_connect (motion, "leave", G_CALLBACK (on_leave), canvas);
+  g_signal_connect (widget, "enter-notify-event", G_CALLBACK (on_crossing),
+                    NULL);
+  g_signal_connect (widget, "leave-notify-event", G_CALLBACK (on_crossing),
+                    NULL);
   controllers[CANVAS_CONTROLLER_MOTION] = motion;
   g_signal_connect (widget, "focus-in-event", G_CALLBACK (on_focus_change),
                     NULL);

@@ -1,4 +1,5 @@
-/* What pointer, touch and keyboard mean to a canvas. */
+/* What the pointer means to a canvas; canvas-touch.h and canvas-keys.h for
+ * the rest. */
 #ifndef CANVAS_INPUT_H
 #define CANVAS_INPUT_H
 
@@ -10,6 +11,7 @@ typedef enum CanvasGesture {
   CANVAS_GESTURE_PRESS,
   CANVAS_GESTURE_DRAG,
   CANVAS_GESTURE_PINCH,
+  CANVAS_GESTURE_LONG_PRESS,
   N_CANVAS_GESTURES,
 } CanvasGesture;
 
@@ -19,16 +21,11 @@ typedef enum CanvasController {
   N_CANVAS_CONTROLLERS,
 } CanvasController;
 
-void canvas_input_class_init (GtkWidgetClass *class);
-
 /* Owns: the canvas takes what is put into both arrays. */
 void
 canvas_input_attach (Canvas *canvas,
                      GtkGesture *gestures[N_CANVAS_GESTURES],
                      GtkEventController *controllers[N_CANVAS_CONTROLLERS]);
-
-/* Returns: whether the key is an arrow; @by gets its direction, y down. */
-gboolean canvas_arrow (guint keyval, double by[2]);
 
 /* What was pressed is no click and no drag: another gesture has it. */
 void canvas_input_give_up (Canvas *canvas);

@@ -2,6 +2,7 @@
 
 #include "canvas-accessible.h"
 #include "canvas-input.h"
+#include "canvas-keys.h"
 #include "painter.h"
 
 #include <string.h>
@@ -310,6 +311,8 @@ canvas_draw (GtkWidget *widget, cairo_t *cr)
     paint (canvas);
   cairo_set_source_surface (cr, p->picture, 0, 0);
   cairo_paint (cr);
+  if (HULL2VD_CANVAS_GET_CLASS (canvas)->draw_over != NULL)
+    HULL2VD_CANVAS_GET_CLASS (canvas)->draw_over (canvas, cr);
   if (p->shows_focus && gtk_widget_has_focus (widget))
     draw_focus (canvas, cr);
   return FALSE;
@@ -415,7 +418,7 @@ canvas_class_init (CanvasClass *class)
   widget_class->draw = canvas_draw;
   widget_class->size_allocate = canvas_size_allocate;
   widget_class->unrealize = canvas_unrealize;
-  canvas_input_class_init (widget_class);
+  canvas_keys_class_init (widget_class);
   gtk_widget_class_set_accessible_type (widget_class, CANVAS_ACCESSIBLE_TYPE);
   signals[SIGNAL_FAILED]
       = g_signal_new ("failed", CANVAS_TYPE, G_SIGNAL_RUN_LAST, 0, NULL, NULL,

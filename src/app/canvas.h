@@ -42,6 +42,8 @@ struct _CanvasClass {
   gboolean (*drag_begin) (Canvas *canvas, const CanvasPress *press);
   void (*drag) (Canvas *canvas, const double from_px[2], const double to_px[2]);
   void (*drag_end) (Canvas *canvas);
+  /* What a drag shows over the picture, or NULL. */
+  void (*draw_over) (Canvas *canvas, cairo_t *cr);
   /* Returns: the name of a CSS cursor for the pointer on @object. */
   const char *(*pointer) (Canvas *canvas, Object object, const double at_px[2]);
   /* Keys that no canvas knows; Returns: whether it was used. */

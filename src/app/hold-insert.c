@@ -1,6 +1,7 @@
 #include "hold-insert.h"
 
 #include "canvas-input.h"
+#include "plane-view.h"
 #include "site-edit.h"
 #include "site-preview.h"
 
@@ -29,11 +30,22 @@ is_by_touch (GtkGesture *gesture)
   const GdkEvent *event = gtk_gesture_get_last_event (
       gesture,
       gtk_gesture_single_get_current_sequence (GTK_GESTURE_SINGLE (gesture)));
-  GdkDevice *device
-      = event == NULL ? NULL : gdk_event_get_source_device (event);
 
-  return device != NULL
-         && gdk_device_get_source (device) == GDK_SOURCE_TOUCHSCREEN;
+  return event != NULL && event->type == GDK_TOUCH_BEGIN;
+}
+
+/* With Ctrl a band is drawn, with Shift the plane is moved; the paper's left
+ * button never adds. */
+static gboolean
+means_something_else (Canvas *canvas)
+{
+  GdkKeymap *keymap = gdk_keymap_get_for_display (
+      gtk_widget_get_display (GTK_WIDGET (canvas)));
+
+  return plane_view_get_paper_bindings (HULL2VD_PLANE_VIEW (canvas))
+         || (gdk_keymap_get_modifier_state (keymap)
+             & (GDK_CONTROL_MASK | GDK_SHIFT_MASK))
+                != 0;
 }
 
 static Point3
@@ -51,7 +63,8 @@ on_pressed (GtkGesture *gesture, double x, double y, HoldInsert *hold)
   const guint n_sites = session_get_set (session)->n_sites;
   const double at_px[2] = { x, y };
 
-  if (is_by_touch (gesture) || site_preview_is_on_site (hold->canvas, at_px))
+  if (is_by_touch (gesture) || means_something_else (hold->canvas)
+      || site_preview_is_on_site (hold->canvas, at_px))
     return;
   canvas_input_give_up (hold->canvas);
   session_begin_edit (session);

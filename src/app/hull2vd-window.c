@@ -3,6 +3,7 @@
 #include "lesson-list.h"
 #include "settings.h"
 #include "space-note.h"
+#include "site-readout.h"
 #include "tooltips.h"
 #include "window-private.h"
 
@@ -53,8 +54,8 @@ sites_title (Hull2vdWindow *window)
   return g_filename_display_basename (window->path);
 }
 
-static void
-update_title (Hull2vdWindow *window)
+void
+hull2vd_window_update_title (Hull2vdWindow *window)
 {
   const Lesson *lesson = session_get_lesson (window->session);
   g_autofree char *title
@@ -118,7 +119,7 @@ on_changed (Session *session, guint changes, Hull2vdWindow *window)
 {
   (void)session;
   if (changes & (CHANGED_SITES | CHANGED_LESSON)) {
-    update_title (window);
+    hull2vd_window_update_title (window);
     update_hints (window);
   }
   if (changes & CHANGED_HISTORY)
@@ -198,6 +199,8 @@ connect_session (Hull2vdWindow *window)
       session);
   narration_bar_set_session (window->narration_bar, session);
   transport_set_session (window->transport, session);
+  site_readout_attach (window->plane_readout, session);
+  window->coordinate_entry = coordinate_entry_new (window->plane_view);
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), window,
                            0);
   g_signal_connect (window->plane_view, "failed", G_CALLBACK (on_failed),
@@ -245,6 +248,8 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (space_view);
   BIND (plane_hint);
   BIND (space_hint);
+  BIND (plane_readout);
+  BIND (space_box);
   BIND (lesson_panel);
   BIND (code_panel);
   BIND (counters_panel);
@@ -292,8 +297,9 @@ hull2vd_window_init (Hull2vdWindow *window)
   window_actions_init (window);
   window_menus_init (window);
   window_files_init (window);
+  window_space_init (window);
   tooltips_add (GTK_WIDGET (window));
-  update_title (window);
+  hull2vd_window_update_title (window);
   update_hints (window);
   update_history (window);
   g_signal_connect (window->info_bar, "response", G_CALLBACK (on_info_response),

@@ -1,12 +1,15 @@
 #include "plane-view.h"
 
 #include "hold-insert.h"
+#include "canvas-keys.h"
+#include "canvas-menu.h"
 #include "site-edit.h"
 #include "site-preview.h"
 #include "step-motion.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 #define SITE_REACH_PX 12.0
 #define ZOOM_LEAST 0.1
@@ -15,8 +18,11 @@
 struct _PlaneView {
   Canvas parent_instance;
   StepMotion *motion;
+  gboolean has_paper_bindings;
   guint dragged;     /* site */
   double grip_px[2]; /* from the pointer to the site */
+  gboolean is_banding;
+  double band_px[2][2]; /* two corners of a rubber band */
 };
 
 G_DEFINE_TYPE (PlaneView, plane_view, CANVAS_TYPE)
@@ -113,25 +119,67 @@ select_or_release (Canvas *canvas, Object object)
   session_set_selection (session, object);
 }
 
+/* A click that is on no site. */
+static void
+click_plane (Canvas *canvas, const CanvasPress *press)
+{
+  const gboolean is_empty
+      = press->object.kind == OBJECT_NONE || press->object.kind == OBJECT_SITE;
+  const gboolean adds
+      = !HULL2VD_PLANE_VIEW (canvas)->has_paper_bindings
+        && (is_empty || (press->modifiers & GDK_CONTROL_MASK) != 0);
+
+  if (adds) {
+    site_edit_add (canvas, point_at (canvas, press->at_px));
+    return;
+  }
+  canvas_set_cursor (canvas, (Object){ OBJECT_NONE, 0 });
+  if (is_empty)
+    session_set_selection (canvas_get_session (canvas),
+                           (Object){ OBJECT_NONE, 0 });
+  else
+    select_or_release (canvas, press->object);
+}
+
+static void
+click_primary (Canvas *canvas, const CanvasPress *press)
+{
+  double grip_px[2];
+
+  if (!is_on_site (canvas, press, grip_px)) {
+    click_plane (canvas, press);
+    return;
+  }
+  canvas_set_cursor (canvas, press->object);
+  if (!site_edit_joins (press))
+    select_or_release (canvas, press->object);
+  else
+    site_edit_toggle (canvas, press->object);
+}
+
+static void
+click_secondary (Canvas *canvas, const CanvasPress *press)
+{
+  CanvasPress on_mark = *press;
+  double grip_px[2];
+
+  if (HULL2VD_PLANE_VIEW (canvas)->has_paper_bindings) {
+    site_edit_add (canvas, point_at (canvas, press->at_px));
+    return;
+  }
+  /* A cell means the plane here, not its site. */
+  if (press->object.kind == OBJECT_SITE && !is_on_site (canvas, press, grip_px))
+    on_mark.object = (Object){ OBJECT_NONE, 0 };
+  canvas_menu_popup (canvas, on_mark.object, press->at_px);
+}
+
 static void
 plane_view_click (Canvas *canvas, const CanvasPress *press)
 {
-  const gboolean adds = press->button == GDK_BUTTON_SECONDARY
-                        || (press->modifiers & GDK_CONTROL_MASK) != 0;
-  double grip_px[2];
-
-  if (press->button == GDK_BUTTON_MIDDLE)
-    return;
-  if (is_on_site (canvas, press, grip_px)) {
-    canvas_set_cursor (canvas, press->object);
-    select_or_release (canvas, press->object);
-  } else if (adds || press->object.kind == OBJECT_NONE
-             || press->object.kind == OBJECT_SITE) {
-    site_edit_add (canvas, point_at (canvas, press->at_px));
-  } else {
-    canvas_set_cursor (canvas, (Object){ OBJECT_NONE, 0 });
-    select_or_release (canvas, press->object);
-  }
+  if (press->button == GDK_BUTTON_PRIMARY)
+    click_primary (canvas, press);
+  else if (press->button == GDK_BUTTON_SECONDARY)
+    click_secondary (canvas, press);
 }
 
 /* Inside triangles, where a click selects, two add a site. */
@@ -140,8 +188,10 @@ plane_view_double_click (Canvas *canvas, const CanvasPress *press)
 {
   double grip_px[2];
 
-  if (press->button == GDK_BUTTON_PRIMARY
-      && !is_on_site (canvas, press, grip_px))
+  if (press->button != GDK_BUTTON_PRIMARY || site_edit_joins (press)
+      || HULL2VD_PLANE_VIEW (canvas)->has_paper_bindings)
+    plane_view_click (canvas, press);
+  else if (!is_on_site (canvas, press, grip_px))
     site_edit_add (canvas, point_at (canvas, press->at_px));
 }
 
@@ -151,15 +201,65 @@ plane_view_drag_begin (Canvas *canvas, const CanvasPress *press)
   PlaneView *view = HULL2VD_PLANE_VIEW (canvas);
   Session *session = canvas_get_session (canvas);
 
-  if (press->button != GDK_BUTTON_PRIMARY
-      || !is_on_site (canvas, press, view->grip_px))
+  view->is_banding = (press->modifiers & GDK_CONTROL_MASK) != 0;
+  for (int corner = 0; corner < 2; corner++)
+    memcpy (view->band_px[corner], press->at_px, sizeof press->at_px);
+  if (view->is_banding)
+    return TRUE;
+  if (!is_on_site (canvas, press, view->grip_px))
     return FALSE;
   view->dragged = press->object.number;
   canvas_set_cursor (canvas, press->object);
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
-  session_set_selection (session, press->object);
+  /* One of several takes the others with it. */
+  if (!session_is_selected (session, press->object.number))
+    session_set_selection (session, press->object);
   session_begin_edit (session);
   return TRUE;
+}
+
+/* The rubber band selects all sites within it. */
+static void
+select_in_band (PlaneView *view)
+{
+  Canvas *canvas = HULL2VD_CANVAS (view);
+  Session *session = canvas_get_session (canvas);
+  const SiteSet *set = session_get_set (session);
+  const Projection projection = canvas_get_projection (canvas);
+  g_autofree guint32 *sites = g_new (guint32, set->n_sites + 1);
+  const double (*band)[2] = view->band_px;
+  guint n = 0;
+
+  for (guint i = 0; i < set->n_sites; i++) {
+    const Point3 at = projection_apply (
+        &projection,
+        scene_point (session_get_look (session), &set->sites[i], false));
+
+    if ((at.x - band[0][0]) * (at.x - band[1][0]) <= 0
+        && (at.y - band[0][1]) * (at.y - band[1][1]) <= 0)
+      sites[n++] = i;
+  }
+  session_select_sites (session, sites, n);
+}
+
+static void
+plane_view_draw_over (Canvas *canvas, cairo_t *cr)
+{
+  PlaneView *view = HULL2VD_PLANE_VIEW (canvas);
+  const double (*band)[2] = view->band_px;
+  GdkRGBA colour;
+
+  if (!view->is_banding)
+    return;
+  gtk_style_context_get_color (
+      gtk_widget_get_style_context (GTK_WIDGET (canvas)), GTK_STATE_FLAG_NORMAL,
+      &colour);
+  cairo_rectangle (cr, band[0][0], band[0][1], band[1][0] - band[0][0],
+                   band[1][1] - band[0][1]);
+  gdk_cairo_set_source_rgba (cr, &colour);
+  cairo_set_line_width (cr, 1.5);
+  cairo_set_dash (cr, (const double[]){ 5, 4 }, 2, 0);
+  cairo_stroke (cr);
 }
 
 static void
@@ -170,13 +270,24 @@ plane_view_drag (Canvas *canvas, const double from_px[2], const double to_px[2])
       = { to_px[0] + view->grip_px[0], to_px[1] + view->grip_px[1] };
 
   (void)from_px;
+  if (view->is_banding) {
+    memcpy (view->band_px[1], to_px, sizeof view->band_px[1]);
+    select_in_band (view);
+    gtk_widget_queue_draw (GTK_WIDGET (canvas));
+    return;
+  }
   site_edit_move (canvas, view->dragged, point_at (canvas, at_px));
 }
 
 static void
 plane_view_drag_end (Canvas *canvas)
 {
-  session_end_edit (canvas_get_session (canvas));
+  PlaneView *view = HULL2VD_PLANE_VIEW (canvas);
+
+  if (!view->is_banding)
+    session_end_edit (canvas_get_session (canvas));
+  view->is_banding = FALSE;
+  gtk_widget_queue_draw (GTK_WIDGET (canvas));
 }
 
 static const char *
@@ -189,8 +300,22 @@ plane_view_pointer (Canvas *canvas, Object object, const double at_px[2])
   if (is_on_site (canvas, &press, grip_px))
     return "grab";
   if (object.kind == OBJECT_NONE || object.kind == OBJECT_SITE)
-    return "crosshair"; /* a click adds a site */
+    return HULL2VD_PLANE_VIEW (canvas)->has_paper_bindings
+               ? "default"
+               : "crosshair"; /* a click adds a site */
   return "pointer";
+}
+
+void
+plane_view_set_paper_bindings (PlaneView *view, gboolean has_them)
+{
+  view->has_paper_bindings = has_them;
+}
+
+gboolean
+plane_view_get_paper_bindings (PlaneView *view)
+{
+  return view->has_paper_bindings;
 }
 
 /* Keyboard */
@@ -272,6 +397,7 @@ plane_view_class_init (PlaneViewClass *class)
   canvas_class->drag_begin = plane_view_drag_begin;
   canvas_class->drag = plane_view_drag;
   canvas_class->drag_end = plane_view_drag_end;
+  canvas_class->draw_over = plane_view_draw_over;
   canvas_class->pointer = plane_view_pointer;
   canvas_class->key = plane_view_key;
   canvas_class->count_objects = plane_view_count_objects;

@@ -10,7 +10,8 @@ static const struct {
   const char *prefixes; /* separated by blanks */
 } groups[] = {
   { N_ ("Steps"), "next back first last play previous goto" },
-  { N_ ("Sites"), "select delete undo redo nudge copy paste" },
+  { N_ ("Sites"), "select delete undo redo nudge copy paste add move-site snap "
+                  "generate" },
   { N_ ("Pictures"), "layer camera fit zoom" },
   { N_ ("Panels"), "panel fullscreen" },
   { N_ ("Files and window"), "" },
@@ -60,50 +61,159 @@ add_view_keys (GtkWidget *section)
 {
   GtkContainer *group = GTK_CONTAINER (add_group (section, _ ("In a picture")));
 
-  add_shortcut (group, "Tab <Shift>Tab", _ ("Go to the next, previous site"));
+  add_shortcut (group, "Tab <Shift>Tab",
+                _ ("Go to the next, previous site or facet"));
   add_shortcut (group, "<Primary>Tab", _ ("Leave the picture"));
-  add_shortcut (group, "Left Right Up Down", _ ("Move the site"));
+  add_shortcut (group, "Left Right Up Down",
+                _ ("Move the site, and all that are selected with it"));
   add_shortcut (group, "Return", _ ("Add a site, or select the one in focus"));
+  add_shortcut (group, "<Primary>Return",
+                _ ("Select the site in focus beside the others"));
+  add_shortcut (group, "Menu <Shift>F10", _ ("Show what can be done with it"));
   add_shortcut (group, "Insert", _ ("Add a site in the middle"));
   add_shortcut (group, "plus minus", _ ("Zoom in, out"));
   add_shortcut (group, "<Shift>Left <Shift>Right <Shift>Up <Shift>Down",
                 _ ("Move the plane, turn space"));
 }
 
-static GtkWidget *
-make_section (void)
+static void
+add_gesture (GtkContainer *group,
+             GtkShortcutType type,
+             const char *title,
+             const char *what)
 {
-  GtkWidget *section
-      = g_object_new (GTK_TYPE_SHORTCUTS_SECTION, "visible", TRUE,
-                      "section-name", "keys", "max-height", 16, NULL);
-  guint n_actions;
-  const Action *actions = action_table (&n_actions);
+  gtk_container_add (group, gtk_widget_new (GTK_TYPE_SHORTCUTS_SHORTCUT,
+                                            "visible", TRUE, "shortcut-type",
+                                            type, "title", title, "subtitle",
+                                            what, "subtitle-set", TRUE, NULL));
+}
 
-  for (guint i = 0; i < G_N_ELEMENTS (groups); i++) {
-    GtkWidget *group = add_group (section, _ (groups[i].title));
+/* What the mouse does, which is not the same with the paper's bindings. */
+static void
+add_mouse (GtkWidget *section)
+{
+  static const struct {
+    const char *what, *how;
+  } rows[] = {
+    { N_ ("Add a site"),
+      N_ ("Click the empty plane, double-click or Ctrl+click a triangle") },
+    { N_ ("Select a site, a triangle or a facet"), N_ ("Click it") },
+    { N_ ("Select several sites"),
+      N_ ("Shift+click or Ctrl+click each, or Ctrl+drag a band round them") },
+    { N_ ("Move a site, and all that are selected with it"), N_ ("Drag it") },
+    { N_ ("Show what can be done"), N_ ("Right-click") },
+    { N_ ("Move the plane"),
+      N_ ("Drag beside the sites, or with the middle or right button") },
+    { N_ ("Turn space"), N_ ("Drag") },
+    { N_ ("Zoom"), N_ ("Turn the wheel") },
+  };
+  static const struct {
+    const char *what, *how;
+  } paper_rows[] = {
+    { N_ ("Add a site"), N_ ("Right-click") },
+    { N_ ("Select a site or a triangle"), N_ ("Left-click it") },
+    { N_ ("Move a site"), N_ ("Drag it with the left button") },
+  };
+  GtkContainer *group = GTK_CONTAINER (add_group (section, _ ("Mouse")));
+  GtkContainer *paper = GTK_CONTAINER (
+      add_group (section, _ ("Mouse, with “Paper’s Mouse Buttons”")));
 
-    for (guint k = 0; k < n_actions; k++)
-      if (actions[k].keys != NULL && group_of (&actions[k]) == i)
-        add_shortcut (GTK_CONTAINER (group), actions[k].keys,
-                      _ (actions[k].sentence));
-  }
-  add_view_keys (section);
-  return section;
+  for (guint i = 0; i < G_N_ELEMENTS (rows); i++)
+    add_gesture (group, GTK_SHORTCUT_GESTURE, _ (rows[i].what),
+                 _ (rows[i].how));
+  for (guint i = 0; i < G_N_ELEMENTS (paper_rows); i++)
+    add_gesture (paper, GTK_SHORTCUT_GESTURE, _ (paper_rows[i].what),
+                 _ (paper_rows[i].how));
+}
+
+static void
+add_touch (GtkWidget *section)
+{
+  GtkContainer *group = GTK_CONTAINER (add_group (section, _ ("Touch")));
+
+  add_gesture (group, GTK_SHORTCUT_GESTURE_PINCH, _ ("Zoom out"),
+               _ ("Two fingers together"));
+  add_gesture (group, GTK_SHORTCUT_GESTURE_STRETCH, _ ("Zoom in"),
+               _ ("Two fingers apart"));
+  add_gesture (group, GTK_SHORTCUT_GESTURE, _ ("Move the picture"),
+               _ ("Drag with two fingers"));
+  add_gesture (group, GTK_SHORTCUT_GESTURE, _ ("Show what can be done"),
+               _ ("Press long"));
 }
 
 static GtkWidget *
-make_window (GtkWindow *parent)
+add_section (GtkWidget *window, const char *name, const char *title)
 {
-  return gtk_widget_new (GTK_TYPE_SHORTCUTS_WINDOW, "modal", TRUE,
-                         "transient-for", parent, "destroy-with-parent", TRUE,
-                         NULL);
+  GtkWidget *section = gtk_widget_new (GTK_TYPE_SHORTCUTS_SECTION, "visible",
+                                       TRUE, "section-name", name, "title",
+                                       title, "max-height", 16, NULL);
+
+  gtk_container_add (GTK_CONTAINER (window), section);
+  return section;
+}
+
+static void
+add_actions (GtkWidget *section, guint group)
+{
+  GtkContainer *container
+      = GTK_CONTAINER (add_group (section, _ (groups[group].title)));
+  guint n_actions;
+  const Action *actions = action_table (&n_actions);
+
+  for (guint i = 0; i < n_actions; i++)
+    if (actions[i].keys != NULL && group_of (&actions[i]) == group)
+      add_shortcut (container, actions[i].keys, _ (actions[i].sentence));
+}
+
+/* Two columns beside each other need this much. */
+#define WIDE_PX 1400
+
+static gboolean
+is_narrow (GtkWindow *parent)
+{
+  GdkDisplay *display = gtk_widget_get_display (GTK_WIDGET (parent));
+  GdkMonitor *monitor = gdk_display_get_monitor_at_window (
+      display, gtk_widget_get_window (GTK_WIDGET (parent)));
+  GdkRectangle room;
+
+  gdk_monitor_get_workarea (monitor, &room);
+  return room.width < WIDE_PX;
+}
+
+/* On a narrow screen each group is a section: one column. */
+static void
+fill (GtkWidget *window, gboolean is_narrow)
+{
+  static const struct {
+    const char *name, *title;
+    void (*fill) (GtkWidget *section);
+  } others[] = {
+    { "view", N_ ("In a picture"), add_view_keys },
+    { "mouse", N_ ("Mouse"), add_mouse },
+    { "touch", N_ ("Touch"), add_touch },
+  };
+  GtkWidget *section = add_section (
+      window, "keys", is_narrow ? _ (groups[0].title) : _ ("Keys"));
+
+  for (guint i = 0; i < G_N_ELEMENTS (groups); i++) {
+    if (i > 0 && is_narrow)
+      section = add_section (window, groups[i].title, _ (groups[i].title));
+    add_actions (section, i);
+  }
+  for (guint i = 0; i < G_N_ELEMENTS (others); i++) {
+    if (is_narrow)
+      section = add_section (window, others[i].name, _ (others[i].title));
+    others[i].fill (section);
+  }
 }
 
 void
 shortcuts_window_show (GtkWindow *parent)
 {
-  GtkWidget *window = make_window (parent);
+  GtkWidget *window = gtk_widget_new (GTK_TYPE_SHORTCUTS_WINDOW, "modal", TRUE,
+                                      "transient-for", parent,
+                                      "destroy-with-parent", TRUE, NULL);
 
-  gtk_container_add (GTK_CONTAINER (window), make_section ());
+  fill (window, is_narrow (parent));
   gtk_widget_show (window);
 }

@@ -31,10 +31,32 @@ void
 site_edit_move (Canvas *canvas, guint site, Point3 point)
 {
   Session *session = canvas_get_session (canvas);
+  const Site to = site_edit_at (session, point);
   g_autoptr (GError) error = NULL;
+  const gboolean is_moved
+      = session_is_selected (session, site)
+            ? session_move_selected (session, site, to, &error)
+            : session_move_site (session, site, to, &error);
 
-  if (!session_move_site (session, site, site_edit_at (session, point), &error))
+  if (!is_moved)
     canvas_fail (canvas, error);
+}
+
+gboolean
+site_edit_joins (const CanvasPress *press)
+{
+  return press->button == GDK_BUTTON_PRIMARY
+         && (press->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) != 0;
+}
+
+gboolean
+site_edit_toggle (Canvas *canvas, Object object)
+{
+  if (object.kind != OBJECT_SITE)
+    return FALSE;
+  canvas_set_cursor (canvas, object);
+  session_toggle_site (canvas_get_session (canvas), object.number);
+  return TRUE;
 }
 
 static gboolean
@@ -94,12 +116,17 @@ site_edit_settle (Canvas *canvas)
 gboolean
 site_edit_remove (Canvas *canvas)
 {
+  Session *session = canvas_get_session (canvas);
   const Object cursor = canvas_get_cursor (canvas);
   g_autoptr (GError) error = NULL;
+  gboolean is_removed;
 
   if (cursor.kind != OBJECT_SITE)
     return FALSE;
-  if (!session_remove_site (canvas_get_session (canvas), cursor.number, &error))
+  is_removed = session_is_selected (session, cursor.number)
+                   ? session_remove_selected (session, &error)
+                   : session_remove_site (session, cursor.number, &error);
+  if (!is_removed)
     canvas_fail (canvas, error);
   return TRUE;
 }

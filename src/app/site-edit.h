@@ -14,16 +14,24 @@ Site site_edit_at (Session *session, Point3 point);
 /* Adds a site there, and puts the cursor on it. */
 void site_edit_add (Canvas *canvas, Point3 point);
 
+/* Moves a site there; when it is selected, the other selected ones with it. */
 void site_edit_move (Canvas *canvas, guint site, Point3 point);
 
-/* Moves the site under the cursor by @by steps, y down as on the screen; keys
- * held down are one edit, until site_edit_settle().
+/* Returns: whether a click means a site beside those that are selected. */
+gboolean site_edit_joins (const CanvasPress *press);
+
+/* Selects a site beside the others, or lets it go; FALSE for what is none. */
+gboolean site_edit_toggle (Canvas *canvas, Object object);
+
+/* Moves the site under the cursor as site_edit_move() does by @by steps, y down
+ * as on the screen; keys held down are one edit, until site_edit_settle().
  *
  * Returns: FALSE when the cursor is on no site. */
 gboolean site_edit_nudge (Canvas *canvas, const double by[2], gboolean is_far);
 void site_edit_settle (Canvas *canvas);
 
-/* Removes the site under the cursor; FALSE when it is on none. */
+/* Removes the site under the cursor, when it is selected with all that are;
+ * FALSE when it is on none. */
 gboolean site_edit_remove (Canvas *canvas);
 
 G_END_DECLS

@@ -1,7 +1,8 @@
 #include "space-view.h"
 
 #include "camera-glide.h"
-#include "canvas-input.h"
+#include "canvas-keys.h"
+#include "canvas-menu.h"
 #include "site-edit.h"
 #include "step-motion.h"
 
@@ -98,10 +99,14 @@ space_view_click (Canvas *canvas, const CanvasPress *press)
   Session *session = canvas_get_session (canvas);
   Object object = press->object;
 
+  if (press->button == GDK_BUTTON_SECONDARY)
+    canvas_menu_popup (canvas, press->object, press->at_px);
   if (press->button != GDK_BUTTON_PRIMARY)
     return;
   canvas_set_cursor (
       canvas, object.kind == OBJECT_SITE ? object : (Object){ OBJECT_NONE, 0 });
+  if (site_edit_joins (press) && site_edit_toggle (canvas, object))
+    return;
   if (object_equal (session_get_look (session)->selection, object))
     object = (Object){ OBJECT_NONE, 0 };
   session_set_selection (session, object);

@@ -1,6 +1,7 @@
 #include "window-private.h"
 
 #include "document.h"
+#include "generate-dialog.h"
 #include "point-import.h"
 #include "shortcuts-window.h"
 
@@ -57,6 +58,11 @@ window_command_state (Hull2vdWindow *window, const char *name)
         gtk_widget_get_visible (GTK_WIDGET (window->narration_bar)));
   if (g_str_equal (name, "fullscreen"))
     return g_variant_new_boolean (is_fullscreen (window));
+  if (g_str_equal (name, "detach-space"))
+    return g_variant_new_boolean (window_space_is_detached (window));
+  if (g_str_equal (name, "paper-bindings"))
+    return g_variant_new_boolean (
+        plane_view_get_paper_bindings (window->plane_view));
   return NULL;
 }
 
@@ -65,7 +71,7 @@ window_command_state (Hull2vdWindow *window, const char *name)
 static void
 run_open_file (Hull2vdWindow *window, GVariant *parameter)
 {
-  window_files_load (window, g_variant_get_string (parameter, NULL));
+  window_files_open_path (window, g_variant_get_string (parameter, NULL));
 }
 
 static void
@@ -100,6 +106,46 @@ run_paste (Hull2vdWindow *window)
   gtk_clipboard_request_text (
       gtk_widget_get_clipboard (GTK_WIDGET (window), GDK_SELECTION_CLIPBOARD),
       on_clipboard_text, g_object_ref (window));
+}
+
+static void
+run_add_site_at (Hull2vdWindow *window)
+{
+  coordinate_entry_add (window->coordinate_entry);
+}
+
+static void
+run_move_site_to (Hull2vdWindow *window)
+{
+  const Object selection = session_get_look (window->session)->selection;
+
+  if (selection.kind == OBJECT_SITE)
+    coordinate_entry_move (window->coordinate_entry, selection.number);
+}
+
+static void
+run_generate (Hull2vdWindow *window)
+{
+  if (window->generate_dialog == NULL)
+    window->generate_dialog
+        = generate_dialog_new (GTK_WINDOW (window), window->session);
+  gtk_window_present (GTK_WINDOW (window->generate_dialog));
+}
+
+static void
+run_paper_bindings (Hull2vdWindow *window)
+{
+  const gboolean has_them = !plane_view_get_paper_bindings (window->plane_view);
+
+  plane_view_set_paper_bindings (window->plane_view, has_them);
+  if (window->settings != NULL)
+    g_settings_set_boolean (window->settings, "paper-bindings", has_them);
+}
+
+static void
+run_detach_space (Hull2vdWindow *window)
+{
+  window_space_detach (window, !window_space_is_detached (window));
 }
 
 static void
@@ -160,6 +206,11 @@ static const struct {
   { "close", run_close },
   { "quit", run_quit },
   { "fullscreen", run_fullscreen },
+  { "add-site-at", run_add_site_at },
+  { "move-site-to", run_move_site_to },
+  { "generate", run_generate },
+  { "paper-bindings", run_paper_bindings },
+  { "detach-space", run_detach_space },
 };
 
 gboolean

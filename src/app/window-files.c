@@ -2,6 +2,9 @@
 
 #include "document.h"
 #include "file-dialogs.h"
+#include "point-import.h"
+#include "window-ask.h"
+#include "window-recent.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -37,46 +40,54 @@ window_files_load (Hull2vdWindow *window, const char *path)
   /* The title is made while the session tells of its change. */
   g_free (window->path);
   window->path = g_steal_pointer (&kept);
-  if (!document_open (window->session, path, &error)) {
+  if (!point_import_open (window->session, path, &window->is_foreign, &error)) {
     hull2vd_window_say (window, error->message);
     return FALSE;
   }
   remember_saved (window);
+  window_recent_add (path);
   gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
   return TRUE;
 }
 
-void
-window_files_new (Hull2vdWindow *window)
+/* New */
+
+static void
+begin_anew (Hull2vdWindow *window, const char *path)
 {
-  if (window_files_is_modified (window)) {
-    window
-        = hull2vd_window_new (gtk_window_get_application (GTK_WINDOW (window)));
-    gtk_window_present (GTK_WINDOW (window));
-  }
+  (void)path;
   g_clear_pointer (&window->path, g_free);
+  window->is_foreign = FALSE;
   session_set_lesson (window->session, NULL);
   session_set_sites (window->session, NULL, 0, NULL);
   remember_saved (window);
   gtk_info_bar_set_revealed (window->info_bar, FALSE);
 }
 
+void
+window_files_new (Hull2vdWindow *window)
+{
+  window_ask (window, ASK_NEW, begin_anew, NULL);
+}
+
 /* Open */
+
+static void
+load (Hull2vdWindow *window, const char *path)
+{
+  window_files_load (window, path);
+}
+
+void
+window_files_open_path (Hull2vdWindow *window, const char *path)
+{
+  window_ask (window, ASK_OPEN, load, path);
+}
 
 static void
 on_open_chosen (const char *path, gpointer user)
 {
-  Hull2vdWindow *window = user;
-  g_autoptr (GFile) file = g_file_new_for_path (path);
-
-  if (!window_files_is_modified (window)) {
-    window_files_load (window, path);
-    return;
-  }
-  /* The application gives it a window of its own. */
-  g_application_open (
-      G_APPLICATION (gtk_window_get_application (GTK_WINDOW (window))), &file,
-      1, "");
+  window_files_open_path (user, path);
 }
 
 void
@@ -99,32 +110,97 @@ on_save_chosen (const char *path, gpointer user)
     return;
   }
   if (session_get_lesson (window->session) == NULL) {
+    g_autofree char *kept = g_strdup (path);
+
     g_free (window->path);
-    window->path = g_strdup (path);
+    window->path = g_steal_pointer (&kept);
+    window->is_foreign = FALSE;
     remember_saved (window);
+    hull2vd_window_update_title (window);
   }
+  window_recent_add (path);
   gtk_info_bar_set_revealed (window->info_bar, FALSE);
+  window_ask_saved (window);
+}
+
+/* A lesson's sites are offered a name of their own, and so are those that came
+ * from another form than the one they are written in. */
+static char *
+suggest_name (Hull2vdWindow *window)
+{
+  g_autofree char *base = NULL;
+  char *dot;
+
+  if (window->path == NULL || session_get_lesson (window->session) != NULL)
+    return g_strdup (_ ("sites.txt"));
+  base = g_path_get_basename (window->path);
+  dot = strrchr (base, '.');
+  if (!window->is_foreign || dot == NULL)
+    return g_steal_pointer (&base);
+  *dot = '\0';
+  return g_strconcat (base, ".txt", NULL);
+}
+
+static void
+ask_for_name (Hull2vdWindow *window)
+{
+  g_autofree char *name = suggest_name (window);
+
+  file_dialog_save (GTK_WINDOW (window), _ ("Save the Sites"), name,
+                    on_save_chosen, window);
 }
 
 void
 window_files_save_as (Hull2vdWindow *window)
 {
-  file_dialog_save (GTK_WINDOW (window), _ ("Save the Sites"), _ ("sites.txt"),
-                    on_save_chosen, window);
+  window_ask_forget (window);
+  ask_for_name (window);
 }
 
 void
 window_files_save (Hull2vdWindow *window)
 {
+  window_ask_forget (window);
+  window_files_save_now (window);
+}
+
+void
+window_files_save_now (Hull2vdWindow *window)
+{
   g_autofree char *path = g_strdup (window->path);
 
-  if (path == NULL || session_get_lesson (window->session) != NULL)
-    window_files_save_as (window);
+  if (path == NULL || window->is_foreign
+      || session_get_lesson (window->session) != NULL)
+    ask_for_name (window);
   else
     on_save_chosen (path, window);
 }
 
 /* Drop */
+
+static void
+drop_text (Hull2vdWindow *window, const char *text)
+{
+  g_autoptr (GError) error = NULL;
+
+  if (!point_import_text (window->session, text, _ ("dropped text"), _ ("drop"),
+                          &error))
+    hull2vd_window_say (window, error->message);
+}
+
+static void
+drop_uris (Hull2vdWindow *window, char **uris)
+{
+  g_autofree char *path = NULL;
+
+  if (uris[0] != NULL)
+    path = g_filename_from_uri (uris[0], NULL, NULL);
+  if (path != NULL)
+    window_files_open_path (window, path);
+  else
+    hull2vd_window_say (window,
+                        _ ("Only files of this computer can be opened"));
+}
 
 static void
 on_drop (GtkWidget *widget,
@@ -137,7 +213,7 @@ on_drop (GtkWidget *widget,
          gpointer user)
 {
   g_auto (GStrv) uris = gtk_selection_data_get_uris (data);
-  g_autofree char *path = NULL;
+  g_autofree guchar *text = gtk_selection_data_get_text (data);
 
   (void)context;
   (void)x;
@@ -145,61 +221,29 @@ on_drop (GtkWidget *widget,
   (void)info;
   (void)time;
   (void)user;
-  if (uris == NULL || uris[0] == NULL)
-    return;
-  path = g_filename_from_uri (uris[0], NULL, NULL);
-  if (path != NULL)
-    on_open_chosen (path, widget);
+  if (uris != NULL)
+    drop_uris (HULL2VD_WINDOW (widget), uris);
+  else if (text != NULL)
+    drop_text (HULL2VD_WINDOW (widget), (const char *)text);
 }
 
 /* Close */
 
 static void
-on_close_answer (GtkDialog *dialog, int answer, Hull2vdWindow *window)
+close_window (Hull2vdWindow *window, const char *path)
 {
-  gtk_widget_destroy (GTK_WIDGET (dialog));
-  if (answer == GTK_RESPONSE_ACCEPT)
-    window_files_save (window);
-  if (answer == GTK_RESPONSE_REJECT
-      || (answer == GTK_RESPONSE_ACCEPT
-          && !window_files_is_modified (window))) {
-    window_layout_save (window);
-    gtk_widget_destroy (GTK_WIDGET (window));
-  }
-}
-
-static void
-ask_before_closing (Hull2vdWindow *window)
-{
-  GtkWidget *dialog = gtk_message_dialog_new (
-      GTK_WINDOW (window), GTK_DIALOG_MODAL | GTK_DIALOG_USE_HEADER_BAR,
-      GTK_MESSAGE_QUESTION, GTK_BUTTONS_NONE,
-      _ ("Save the sites before closing?"));
-
-  gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog),
-                                            _ ("Otherwise they are lost."));
-  gtk_dialog_add_buttons (GTK_DIALOG (dialog), _ ("Close _without Saving"),
-                          GTK_RESPONSE_REJECT, _ ("_Cancel"),
-                          GTK_RESPONSE_CANCEL, _ ("_Save"), GTK_RESPONSE_ACCEPT,
-                          NULL);
-  gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT);
-  g_signal_connect (dialog, "response", G_CALLBACK (on_close_answer), window);
-  gtk_widget_show (dialog);
+  (void)path;
+  window_layout_save (window);
+  gtk_widget_destroy (GTK_WIDGET (window));
 }
 
 static gboolean
 on_delete (GtkWidget *widget, GdkEvent *event, gpointer user)
 {
-  Hull2vdWindow *window = HULL2VD_WINDOW (widget);
-
   (void)event;
   (void)user;
-  if (window_files_is_modified (window)) {
-    ask_before_closing (window);
-    return TRUE;
-  }
-  window_layout_save (window);
-  return FALSE;
+  window_ask (HULL2VD_WINDOW (widget), ASK_CLOSE, close_window, NULL);
+  return TRUE;
 }
 
 void
@@ -209,6 +253,7 @@ window_files_init (Hull2vdWindow *window)
 
   gtk_drag_dest_set (widget, GTK_DEST_DEFAULT_ALL, NULL, 0, GDK_ACTION_COPY);
   gtk_drag_dest_add_uri_targets (widget);
+  gtk_drag_dest_add_text_targets (widget);
   g_signal_connect (widget, "drag-data-received", G_CALLBACK (on_drop), NULL);
   g_signal_connect (widget, "delete-event", G_CALLBACK (on_delete), NULL);
   remember_saved (window);

@@ -153,6 +153,11 @@ restore (Hull2vdWindow *window)
       g_settings_get_int (window->settings, "lesson-width"));
   session_set_step_size (window->session, (StepSize)g_settings_get_enum (
                                               window->settings, "step-size"));
+  plane_view_set_paper_bindings (
+      window->plane_view,
+      g_settings_get_boolean (window->settings, "paper-bindings"));
+  session_set_snaps (window->session,
+                     g_settings_get_boolean (window->settings, "snap"));
   for (WindowPanel panel = 0; panel < N_PANELS; panel++)
     window->shows_panel[panel]
         = g_settings_get_boolean (window->settings, setting_names[panel]);
@@ -176,10 +181,13 @@ window_layout_save (Hull2vdWindow *window)
                           gtk_window_is_maximized (gtk_window));
   g_settings_set_int (window->settings, "lesson-width",
                       MAX (250, gtk_paned_get_position (window->lesson_paned)));
-  g_settings_set_double (
-      window->settings, "plane-share",
-      CLAMP (gtk_paned_get_position (window->view_paned) / (double)views, 0.05,
-             0.95));
+  if (!window_space_is_detached (window))
+    g_settings_set_double (
+        window->settings, "plane-share",
+        CLAMP (gtk_paned_get_position (window->view_paned) / (double)views,
+               0.05, 0.95));
+  g_settings_set_boolean (window->settings, "snap",
+                          session_get_snaps (window->session));
   g_settings_set_enum (window->settings, "step-size",
                        (int)session_get_step_size (window->session));
 }

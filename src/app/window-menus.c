@@ -3,8 +3,12 @@
 #include "action.h"
 #include "lesson-list.h"
 #include "look-popover.h"
+#include "window-recent.h"
 
 #include <glib/gi18n.h>
+
+/* In the place of an action: the files that were used last. */
+#define RECENT "recent"
 
 /* Menu items; the empty name ends a section, NULL the menu. */
 typedef struct MenuRow {
@@ -15,18 +19,25 @@ typedef struct MenuRow {
 static const MenuRow main_rows[] = {
   { N_ ("_New Sites"), "new" },
   { N_ ("_Open…"), "open" },
+  { N_ ("Open _Recent"), RECENT },
   { N_ ("_Save Sites"), "save" },
   { N_ ("Save Sites _As…"), "save-as" },
   { NULL, "" },
+  { N_ ("_Generate Sites…"), "generate" },
+  { N_ ("A_dd Site at Coordinates…"), "add-site-at" },
+  { N_ ("Select A_ll Sites"), "select-all" },
   { N_ ("_Copy Sites"), "copy" },
   { N_ ("_Paste Sites"), "paste" },
   { N_ ("Copy P_icture"), "copy-picture" },
+  { N_ ("Snap to G_rid"), "snap" },
+  { N_ ("Paper’s _Mouse Buttons"), "paper-bindings" },
   { NULL, "" },
   { N_ ("_Export Picture…"), "export-picture" },
   { N_ ("Export Story_board…"), "storyboard" },
   { NULL, "" },
   { N_ ("_Keyboard Shortcuts"), "shortcuts" },
   { N_ ("_About Hull2VD"), "about" },
+  { N_ ("_Quit"), "quit" },
   { NULL, NULL },
 };
 
@@ -51,6 +62,7 @@ static const MenuRow view_rows[] = {
   { NULL, "" },
   { N_ ("Look _Up, Unmirrored"), "camera-look-up-unmirrored" },
   { N_ ("_Fit Both Pictures"), "fit" },
+  { N_ ("_Space in Its Own Window"), "detach-space" },
   { N_ ("Full _Screen"), "fullscreen" },
   { NULL, NULL },
 };
@@ -74,7 +86,7 @@ static const MenuRow scale_rows[] = {
 };
 
 static GMenuModel *
-make_menu (const MenuRow *rows)
+make_menu (const MenuRow *rows, GMenu *recent)
 {
   GMenu *menu = g_menu_new ();
   g_autoptr (GMenu) section = g_menu_new ();
@@ -82,6 +94,10 @@ make_menu (const MenuRow *rows)
   for (; rows->action != NULL; rows++) {
     g_autofree char *action = g_strconcat ("win.", rows->action, NULL);
 
+    if (g_str_equal (rows->action, RECENT)) {
+      g_menu_append_submenu (section, _ (rows->text), G_MENU_MODEL (recent));
+      continue;
+    }
     if (rows->text != NULL) {
       g_menu_append (section, _ (rows->text), action);
       continue;
@@ -114,7 +130,7 @@ append_looks (GMenu *menu)
                                     { N_ ("Size of Mar_ks"), "mark-scale" },
                                     { N_ ("Si_ze of Names"), "text-scale" } };
   g_autoptr (GMenu) section = g_menu_new ();
-  g_autoptr (GMenuModel) themes = make_menu (theme_rows);
+  g_autoptr (GMenuModel) themes = make_menu (theme_rows, NULL);
 
   g_menu_append_submenu (section, _ ("The_me"), themes);
   for (guint i = 0; i < G_N_ELEMENTS (scales); i++) {
@@ -163,11 +179,20 @@ add_preset (Hull2vdWindow *window, const char *name)
   gtk_container_add (GTK_CONTAINER (window->space_bar), button);
 }
 
+/* The files may have become others since the menu was open last. */
+static void
+on_main_wanted (GtkToggleButton *button, GMenu *recent)
+{
+  if (gtk_toggle_button_get_active (button))
+    window_recent_fill (recent);
+}
+
 void
 window_menus_init (Hull2vdWindow *window)
 {
-  g_autoptr (GMenuModel) main_menu = make_menu (main_rows);
-  g_autoptr (GMenuModel) view_menu = make_menu (view_rows);
+  g_autoptr (GMenu) recent = g_menu_new ();
+  g_autoptr (GMenuModel) main_menu = make_menu (main_rows, recent);
+  g_autoptr (GMenuModel) view_menu = make_menu (view_rows, NULL);
   g_autoptr (GMenu) lessons = g_menu_new ();
 
   append_looks (G_MENU (view_menu));
@@ -178,6 +203,9 @@ window_menus_init (Hull2vdWindow *window)
   g_signal_connect_data (window->lessons_button, "toggled",
                          G_CALLBACK (on_lessons_wanted),
                          g_steal_pointer (&lessons),
+                         (GClosureNotify)(void (*) (void))g_object_unref, 0);
+  g_signal_connect_data (window->main_button, "toggled",
+                         G_CALLBACK (on_main_wanted), g_steal_pointer (&recent),
                          (GClosureNotify)(void (*) (void))g_object_unref, 0);
   for (CameraPreset preset = 0; preset <= CAMERA_SIDE; preset++)
     add_preset (window, camera_preset_name (preset));

@@ -5,6 +5,7 @@
 
 #include "code-panel.h"
 #include "columns.h"
+#include "coordinate-entry.h"
 #include "counters-panel.h"
 #include "hull2vd-window.h"
 #include "legend-panel.h"
@@ -32,6 +33,7 @@ struct _Hull2vdWindow {
   GSettings *settings; /* NULL: not installed */
   char *path;          /* of the points or lesson, or NULL: new sites */
   char *saved;         /* the points as they are in the file */
+  gboolean is_foreign; /* the file is no point file: see point-import.h */
 
   GtkHeaderBar *header_bar;
   GtkMenuButton *lessons_button, *view_button, *main_button;
@@ -46,7 +48,11 @@ struct _Hull2vdWindow {
   GtkBox *space_bar;
   PlaneView *plane_view;
   SpaceView *space_view;
-  GtkLabel *plane_hint, *space_hint;
+  GtkLabel *plane_hint, *space_hint, *plane_readout;
+  CoordinateEntry *coordinate_entry;
+  GtkWidget *generate_dialog; /* NULL: not asked for yet */
+  GtkWidget *space_window;    /* NULL: space is in this window */
+  GtkWidget *space_box;
   LessonPanel *lesson_panel;
   CodePanel *code_panel;
   CountersPanel *counters_panel;
@@ -75,11 +81,17 @@ gboolean window_command_run (Hull2vdWindow *window,
 /* Returns: (transfer floating): its state, or NULL: none. */
 GVariant *window_command_state (Hull2vdWindow *window, const char *name);
 
-/* window-files.c: open, save, export. */
+/* hull2vd-window.c */
+void hull2vd_window_update_title (Hull2vdWindow *window);
+
+/* window-files.c: open, save, export. What replaces unsaved sites asks first;
+ * window_files_load() does not. */
 void window_files_init (Hull2vdWindow *window);
 void window_files_new (Hull2vdWindow *window);
 void window_files_open (Hull2vdWindow *window);
+void window_files_open_path (Hull2vdWindow *window, const char *path);
 void window_files_save (Hull2vdWindow *window);
+void window_files_save_now (Hull2vdWindow *window); /* for window-ask.c */
 void window_files_save_as (Hull2vdWindow *window);
 void window_files_storyboard (Hull2vdWindow *window);
 gboolean window_files_load (Hull2vdWindow *window, const char *path);
@@ -92,6 +104,11 @@ void window_picture_copy (Hull2vdWindow *window);
 
 /* window-theme.c: the theme of pictures and chrome. */
 void window_theme_init (Hull2vdWindow *window);
+
+/* window-space.c: space in a window of its own. */
+void window_space_init (Hull2vdWindow *window);
+void window_space_detach (Hull2vdWindow *window, gboolean detached);
+gboolean window_space_is_detached (Hull2vdWindow *window);
 
 /* window-menus.c */
 void window_menus_init (Hull2vdWindow *window);

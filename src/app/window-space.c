@@ -1,0 +1,170 @@
+/* Space in a window of its own, for a second screen. The keys are those of the
+ * main window, which it belongs to. */
+#include "window-private.h"
+
+#include <glib/gi18n.h>
+
+gboolean
+window_space_is_detached (Hull2vdWindow *window)
+{
+  return window->space_window != NULL;
+}
+
+/* Puts space under another parent; it is the same widget. */
+static void
+move_space (Hull2vdWindow *window, GtkContainer *to)
+{
+  GtkWidget *box = window->space_box;
+  GtkWidget *from = gtk_widget_get_parent (box);
+
+  g_object_ref (box);
+  gtk_container_remove (GTK_CONTAINER (from), box);
+  if (GTK_IS_PANED (to))
+    gtk_paned_pack2 (GTK_PANED (to), box, TRUE, FALSE);
+  else
+    gtk_container_add (to, box);
+  g_object_unref (box);
+}
+
+static void
+save_size (Hull2vdWindow *window)
+{
+  int width, height;
+
+  if (window->settings == NULL)
+    return;
+  gtk_window_get_size (GTK_WINDOW (window->space_window), &width, &height);
+  g_settings_set (window->settings, "space-window-size", "(ii)", width, height);
+}
+
+static gboolean
+on_space_delete (GtkWidget *widget, GdkEvent *event, Hull2vdWindow *window)
+{
+  (void)widget;
+  (void)event;
+  g_action_group_activate_action (G_ACTION_GROUP (window), "detach-space",
+                                  NULL);
+  return TRUE;
+}
+
+/* What the picture does not want is for the main window. */
+static gboolean
+on_space_key (GtkWidget *widget, GdkEventKey *event, Hull2vdWindow *window)
+{
+  GtkWidget *focus = gtk_window_get_focus (GTK_WINDOW (widget));
+
+  if (HULL2VD_IS_CANVAS (focus)
+      && canvas_wants_key (HULL2VD_CANVAS (focus), event)
+      && gtk_window_propagate_key_event (GTK_WINDOW (widget), event))
+    return TRUE;
+  if (gtk_window_activate_key (GTK_WINDOW (window), event))
+    return TRUE;
+  if (event->keyval != GDK_KEY_Escape)
+    return FALSE;
+  gtk_window_unfullscreen (GTK_WINDOW (widget));
+  return TRUE;
+}
+
+static GtkWidget *
+make_title_bar (void)
+{
+  return gtk_widget_new (GTK_TYPE_HEADER_BAR, "visible", TRUE, "title",
+                         _ ("Space – Hull2VD"), "has-subtitle", FALSE,
+                         "show-close-button", TRUE, NULL);
+}
+
+/* With a title bar the window fits on the screen. */
+#define FRAME_PX 60
+
+static void
+get_size (Hull2vdWindow *window, int *width, int *height)
+{
+  GdkDisplay *display = gtk_widget_get_display (GTK_WIDGET (window));
+  GdkMonitor *monitor = gdk_display_get_monitor_at_window (
+      display, gtk_widget_get_window (GTK_WIDGET (window)));
+  GdkRectangle room;
+
+  *width = 900;
+  *height = 800;
+  if (window->settings != NULL)
+    g_settings_get (window->settings, "space-window-size", "(ii)", width,
+                    height);
+  gdk_monitor_get_workarea (monitor, &room);
+  *width = MIN (*width, room.width);
+  *height = MIN (*height, room.height - FRAME_PX);
+}
+
+static GtkWidget *
+make_window (Hull2vdWindow *window)
+{
+  GtkWidget *space = gtk_window_new (GTK_WINDOW_TOPLEVEL);
+  int width, height;
+
+  get_size (window, &width, &height);
+  gtk_window_set_title (GTK_WINDOW (space), _ ("Space – Hull2VD"));
+  gtk_window_set_titlebar (GTK_WINDOW (space), make_title_bar ());
+  gtk_window_set_default_size (GTK_WINDOW (space), width, height);
+  gtk_style_context_add_class (gtk_widget_get_style_context (space), "hull2vd");
+  /* Menus and buttons in it find their actions. */
+  gtk_widget_insert_action_group (space, "win", G_ACTION_GROUP (window));
+  g_signal_connect (space, "delete-event", G_CALLBACK (on_space_delete),
+                    window);
+  g_signal_connect (space, "key-press-event", G_CALLBACK (on_space_key),
+                    window);
+  return space;
+}
+
+static void
+attach (Hull2vdWindow *window)
+{
+  GtkWidget *space = window->space_window;
+
+  save_size (window);
+  window->space_window = NULL;
+  move_space (window, GTK_CONTAINER (window->view_paned));
+  gtk_widget_destroy (space);
+}
+
+void
+window_space_detach (Hull2vdWindow *window, gboolean detached)
+{
+  if (detached == window_space_is_detached (window))
+    return;
+  if (window->settings != NULL)
+    g_settings_set_boolean (window->settings, "space-detached", detached);
+  if (!detached) {
+    attach (window);
+    return;
+  }
+  window->space_window = make_window (window);
+  move_space (window, GTK_CONTAINER (window->space_window));
+  gtk_window_present (GTK_WINDOW (window->space_window));
+}
+
+/* The one goes with the other. */
+static void
+on_destroy (Hull2vdWindow *window, gpointer user)
+{
+  (void)user;
+  if (window->space_window == NULL)
+    return;
+  save_size (window);
+  gtk_widget_destroy (window->space_window);
+  window->space_window = NULL;
+}
+
+static void
+on_map (Hull2vdWindow *window, gpointer user)
+{
+  (void)user;
+  if (window->settings != NULL
+      && g_settings_get_boolean (window->settings, "space-detached"))
+    window_space_detach (window, TRUE);
+}
+
+void
+window_space_init (Hull2vdWindow *window)
+{
+  g_signal_connect (window, "destroy", G_CALLBACK (on_destroy), NULL);
+  g_signal_connect (window, "map", G_CALLBACK (on_map), NULL);
+}
