@@ -78,6 +78,13 @@ add_space (GMenu *menu)
   g_menu_append_section (menu, NULL, G_MENU_MODEL (section));
 }
 
+static void
+drop_menu (gpointer menu)
+{
+  gtk_widget_destroy (menu);
+  g_object_unref (menu);
+}
+
 static GtkWidget *
 make_menu (Canvas *canvas, Object object, const double at_px[2])
 {
@@ -94,8 +101,8 @@ make_menu (Canvas *canvas, Object object, const double at_px[2])
   menu = gtk_menu_new_from_model (G_MENU_MODEL (model));
   gtk_menu_attach_to_widget (GTK_MENU (menu), GTK_WIDGET (canvas), NULL);
   /* The one before has done its work. */
-  g_object_set_data_full (G_OBJECT (canvas), "menu", menu,
-                          (GDestroyNotify)gtk_widget_destroy);
+  g_object_set_data_full (G_OBJECT (canvas), "menu", g_object_ref (menu),
+                          drop_menu);
   return menu;
 }
 
@@ -112,17 +119,38 @@ select_for_menu (Canvas *canvas, Object object)
   session_set_selection (session, object);
 }
 
+/* A menu asks what made it pop up: a clock (a long press) and assistive
+ * technology are no events.
+ *
+ * Returns: (transfer full): what does for one. */
+static GdkEvent *
+make_trigger (GtkWidget *widget)
+{
+  GdkSeat *seat
+      = gdk_display_get_default_seat (gtk_widget_get_display (widget));
+  GdkEvent *event = gtk_get_current_event ();
+
+  if (event != NULL)
+    return event;
+  event = gdk_event_new (GDK_BUTTON_PRESS);
+  event->button.window = g_object_ref (gtk_widget_get_window (widget));
+  event->button.time = GDK_CURRENT_TIME;
+  gdk_event_set_device (event, gdk_seat_get_pointer (seat));
+  return event;
+}
+
 void
 canvas_menu_popup (Canvas *canvas, Object object, const double at_px[2])
 {
   const GdkRectangle place = { (int)at_px[0], (int)at_px[1], 1, 1 };
+  g_autoptr (GdkEvent) trigger = make_trigger (GTK_WIDGET (canvas));
   GtkWidget *menu;
 
   select_for_menu (canvas, object);
   menu = make_menu (canvas, object, at_px);
-  gtk_menu_popup_at_rect (GTK_MENU (menu),
-                          gtk_widget_get_window (GTK_WIDGET (canvas)), &place,
-                          GDK_GRAVITY_SOUTH_EAST, GDK_GRAVITY_NORTH_WEST, NULL);
+  gtk_menu_popup_at_rect (
+      GTK_MENU (menu), gtk_widget_get_window (GTK_WIDGET (canvas)), &place,
+      GDK_GRAVITY_SOUTH_EAST, GDK_GRAVITY_NORTH_WEST, trigger);
 }
 
 void

@@ -15,13 +15,12 @@ get_pinch (Canvas *canvas)
 }
 
 static Pinch
-pinch_now (GtkGesture *gesture)
+pinch_at (GtkGesture *gesture, double scale)
 {
-  Pinch now = { { 0, 0 }, 1 };
+  Pinch now = { { 0, 0 }, scale };
 
   gtk_gesture_get_bounding_box_center (gesture, &now.centre_px[0],
                                        &now.centre_px[1]);
-  now.scale = gtk_gesture_zoom_get_scale_delta (GTK_GESTURE_ZOOM (gesture));
   return now;
 }
 
@@ -32,7 +31,8 @@ on_pinch_begin (GtkGesture *gesture, GdkEventSequence *sequence, Canvas *canvas)
   /* The first finger was no drag after all. */
   canvas_input_give_up (canvas);
   gtk_gesture_set_state (gesture, GTK_EVENT_SEQUENCE_CLAIMED);
-  *get_pinch (canvas) = pinch_now (gesture);
+  /* The gesture learns its first distance after this signal. */
+  *get_pinch (canvas) = pinch_at (gesture, 1);
   canvas_set_moving (canvas, TRUE);
 }
 
@@ -44,7 +44,8 @@ on_pinch_update (GtkGesture *gesture,
 {
   CanvasClass *class = HULL2VD_CANVAS_GET_CLASS (canvas);
   Pinch *before = get_pinch (canvas);
-  const Pinch now = pinch_now (gesture);
+  const Pinch now = pinch_at (
+      gesture, gtk_gesture_zoom_get_scale_delta (GTK_GESTURE_ZOOM (gesture)));
   const double by_px[2] = { now.centre_px[0] - before->centre_px[0],
                             now.centre_px[1] - before->centre_px[1] };
 
