@@ -105,6 +105,7 @@ canvas_accessible_ref_state_set (AtkObject *object)
                             ->ref_state_set (object);
 
   atk_state_set_add_state (states, ATK_STATE_MANAGES_DESCENDANTS);
+  atk_state_set_add_state (states, ATK_STATE_MULTISELECTABLE);
   return states;
 }
 
@@ -146,18 +147,37 @@ canvas_accessible_init (CanvasAccessible *accessible)
       = g_hash_table_new_full (NULL, NULL, NULL, g_object_unref);
 }
 
-/* Other numbers mean other things now. */
+/* Sites keep their numbers and tell where they are now; facets are numbered
+ * anew. */
 static void
-drop_children (CanvasAccessible *accessible)
+renew_children (CanvasAccessible *accessible, guint n_sites)
 {
   GHashTableIter iter;
   gpointer child;
 
   g_hash_table_iter_init (&iter, accessible->children);
   while (g_hash_table_iter_next (&iter, NULL, &child)) {
+    const Object object
+        = canvas_child_get_object (HULL2VD_CANVAS_CHILD (child));
+
+    if (object.kind == OBJECT_SITE && object.number < n_sites) {
+      canvas_child_tell_name (HULL2VD_CANVAS_CHILD (child));
+      continue;
+    }
     canvas_child_detach (HULL2VD_CANVAS_CHILD (child));
     g_hash_table_iter_remove (&iter);
   }
+}
+
+static void
+tell_selected (CanvasAccessible *accessible)
+{
+  GHashTableIter iter;
+  gpointer child;
+
+  g_hash_table_iter_init (&iter, accessible->children);
+  while (g_hash_table_iter_next (&iter, NULL, &child))
+    canvas_child_tell_selected (HULL2VD_CANVAS_CHILD (child));
 }
 
 /* Nothing is made for assistive technology that is not there. */
@@ -179,11 +199,15 @@ canvas_accessible_update (GtkWidget *canvas, guint changes)
   if (accessible == NULL)
     return;
   if (changes & CHANGED_SITES) {
-    drop_children (accessible);
+    Session *session = canvas_get_session (HULL2VD_CANVAS (canvas));
+
+    renew_children (accessible, session_get_set (session)->n_sites);
     g_signal_emit_by_name (accessible, "visible-data-changed");
   }
   if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_LESSON))
     g_object_notify (G_OBJECT (accessible), "accessible-description");
+  if (changes & (CHANGED_SITES | CHANGED_LOOK))
+    tell_selected (accessible);
 }
 
 void

@@ -10,6 +10,7 @@ struct _CanvasChild {
   AtkObject parent_instance;
   Canvas *canvas; /* weak: NULL once detached */
   Object object;
+  gboolean was_selected; /* as was told last */
   char *name;
 };
 
@@ -65,18 +66,26 @@ canvas_child_get_index (AtkObject *object)
   return -1;
 }
 
+static gboolean
+is_selected (CanvasChild *child)
+{
+  const SceneLook *look = session_get_look (canvas_get_session (child->canvas));
+
+  return object_equal (look->selection, child->object)
+         || (child->object.kind == OBJECT_SITE
+             && scene_is_selected (look, child->object.number));
+}
+
 static AtkStateSet *
 canvas_child_ref_state_set (AtkObject *object)
 {
   CanvasChild *child = HULL2VD_CANVAS_CHILD (object);
   AtkStateSet *states = atk_state_set_new ();
-  const SceneLook *look;
 
   if (child->canvas == NULL) {
     atk_state_set_add_state (states, ATK_STATE_DEFUNCT);
     return states;
   }
-  look = session_get_look (canvas_get_session (child->canvas));
   atk_state_set_add_state (states, ATK_STATE_TRANSIENT);
   atk_state_set_add_state (states, ATK_STATE_ENABLED);
   atk_state_set_add_state (states, ATK_STATE_SENSITIVE);
@@ -84,9 +93,7 @@ canvas_child_ref_state_set (AtkObject *object)
   atk_state_set_add_state (states, ATK_STATE_SHOWING);
   atk_state_set_add_state (states, ATK_STATE_SELECTABLE);
   atk_state_set_add_state (states, ATK_STATE_FOCUSABLE);
-  if (object_equal (look->selection, child->object)
-      || (child->object.kind == OBJECT_SITE
-          && scene_is_selected (look, child->object.number)))
+  if (is_selected (child))
     atk_state_set_add_state (states, ATK_STATE_SELECTED);
   if (gtk_widget_has_focus (GTK_WIDGET (child->canvas))
       && object_equal (canvas_get_cursor (child->canvas), child->object))
@@ -140,31 +147,82 @@ canvas_child_component_init (AtkComponentIface *interface)
   interface->grab_focus = canvas_child_grab_focus;
 }
 
-/* The action */
+/* Actions */
+
+static void
+do_select (Canvas *canvas, Object object)
+{
+  session_set_selection (canvas_get_session (canvas), object);
+}
+
+static void
+do_menu (Canvas *canvas, Object object)
+{
+  canvas_set_cursor (canvas, object);
+  canvas_menu_popup_at_cursor (canvas);
+}
+
+static void
+do_join (Canvas *canvas, Object object)
+{
+  session_toggle_site (canvas_get_session (canvas), object.number);
+}
+
+static void
+do_delete (Canvas *canvas, Object object)
+{
+  g_autoptr (GError) error = NULL;
+
+  if (!session_remove_site (canvas_get_session (canvas), object.number, &error))
+    canvas_fail (canvas, error);
+}
+
+static const struct {
+  const char *name, *sentence;
+  void (*run) (Canvas *canvas, Object object);
+} actions[] = {
+  { "select", N_ ("Select it"), do_select },
+  { "menu", N_ ("Show what can be done with it"), do_menu },
+  /* From here on: sites alone. */
+  { "join", N_ ("Select it beside the others, or let it go"), do_join },
+  { "delete", N_ ("Delete it"), do_delete },
+};
+
+static int
+canvas_child_get_n_actions (AtkAction *action)
+{
+  return HULL2VD_CANVAS_CHILD (action)->object.kind == OBJECT_SITE
+             ? (int)G_N_ELEMENTS (actions)
+             : 2;
+}
+
+static gboolean
+has_action (AtkAction *action, int i)
+{
+  return i >= 0 && i < canvas_child_get_n_actions (action);
+}
 
 static gboolean
 canvas_child_do_action (AtkAction *action, int i)
 {
   CanvasChild *child = HULL2VD_CANVAS_CHILD (action);
 
-  if (child->canvas == NULL || i != 0)
+  if (child->canvas == NULL || !has_action (action, i))
     return FALSE;
-  session_set_selection (canvas_get_session (child->canvas), child->object);
+  actions[i].run (child->canvas, child->object);
   return TRUE;
-}
-
-static int
-canvas_child_get_n_actions (AtkAction *action)
-{
-  (void)action;
-  return 1;
 }
 
 static const char *
 canvas_child_get_action_name (AtkAction *action, int i)
 {
-  (void)action;
-  return i == 0 ? "select" : NULL;
+  return has_action (action, i) ? actions[i].name : NULL;
+}
+
+static const char *
+canvas_child_get_action_description (AtkAction *action, int i)
+{
+  return has_action (action, i) ? _ (actions[i].sentence) : NULL;
 }
 
 static void
@@ -173,6 +231,31 @@ canvas_child_action_init (AtkActionIface *interface)
   interface->do_action = canvas_child_do_action;
   interface->get_n_actions = canvas_child_get_n_actions;
   interface->get_name = canvas_child_get_action_name;
+  interface->get_description = canvas_child_get_action_description;
+}
+
+/* News */
+
+Object
+canvas_child_get_object (CanvasChild *child)
+{
+  return child->object;
+}
+
+void
+canvas_child_tell_selected (CanvasChild *child)
+{
+  if (child->canvas == NULL || is_selected (child) == child->was_selected)
+    return;
+  child->was_selected = !child->was_selected;
+  atk_object_notify_state_change (ATK_OBJECT (child), ATK_STATE_SELECTED,
+                                  child->was_selected);
+}
+
+void
+canvas_child_tell_name (CanvasChild *child)
+{
+  g_object_notify (G_OBJECT (child), "accessible-name");
 }
 
 /* Life */
@@ -184,6 +267,7 @@ canvas_child_new (Canvas *canvas, Object object)
 
   g_set_weak_pointer (&child->canvas, canvas);
   child->object = object;
+  child->was_selected = is_selected (child);
   atk_object_set_role (ATK_OBJECT (child), object.kind == OBJECT_SITE
                                                ? ATK_ROLE_ICON
                                                : ATK_ROLE_IMAGE);

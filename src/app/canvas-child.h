@@ -18,6 +18,13 @@ AtkObject *canvas_child_new (Canvas *canvas, Object object);
 /* The object is no more; whoever still holds the child is told so. */
 void canvas_child_detach (CanvasChild *child);
 
+Object canvas_child_get_object (CanvasChild *child);
+
+/* Tell that it is called otherwise now; that it is selected, or no longer, if
+ * that is new. */
+void canvas_child_tell_name (CanvasChild *child);
+void canvas_child_tell_selected (CanvasChild *child);
+
 G_END_DECLS
 
 #endif
