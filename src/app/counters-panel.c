@@ -1,5 +1,6 @@
 #include "counters-panel.h"
 
+#include "direction.h"
 #include "laws.h"
 
 struct _CountersPanel {
@@ -18,6 +19,9 @@ add_label (CountersPanel *panel, int column, const char *class)
 
   gtk_label_set_xalign (GTK_LABEL (label), column == 0 ? 0 : 1);
   gtk_widget_set_hexpand (label, column == 1);
+  /* Values are formulas. */
+  if (column == 1)
+    direction_keep (label);
   gtk_style_context_add_class (gtk_widget_get_style_context (label), class);
   gtk_grid_attach (panel->grid, label, column, (int)panel->values->len, 1, 1);
   return label;

@@ -1,5 +1,6 @@
 #include "transport.h"
 
+#include "direction.h"
 #include "scrubber.h"
 
 #include <glib/gi18n.h>
@@ -152,8 +153,6 @@ transport_init (Transport *transport)
 
   gtk_widget_init_template (GTK_WIDGET (transport));
   /* Time runs one way; it is not mirrored with the text. */
-  gtk_widget_set_direction (GTK_WIDGET (transport), GTK_TEXT_DIR_LTR);
-  gtk_widget_set_direction (GTK_WIDGET (transport->buttons), GTK_TEXT_DIR_LTR);
-  gtk_widget_set_direction (GTK_WIDGET (transport->scrubber), GTK_TEXT_DIR_LTR);
+  direction_keep (GTK_WIDGET (transport));
   gtk_menu_button_set_menu_model (transport->speed_button, menu);
 }

@@ -1,0 +1,53 @@
+"""Runs the tests of a file: its functions, their names sentences. TAP."""
+import os
+import sys
+import tempfile
+import traceback
+
+from program import Atspi, Failure
+
+FOLDER = tempfile.mkdtemp(prefix="hull2vd-")
+HELPERS = set()
+
+
+def helper(function):
+    """Marks what is no test."""
+    HELPERS.add(function.__name__)
+    return function
+
+
+def check(is_true, what):
+    if not is_true:
+        raise Failure(what)
+
+
+def write(name, content):
+    path = os.path.join(FOLDER, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(content)
+    return path
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def run(prefix, names):
+    """Runs the functions among names that are defined where it is called."""
+    tests = [value for name, value in list(names.items())
+             if getattr(value, "__module__", "") == "__main__"
+             and callable(value) and name not in HELPERS]
+    wanted = sys.argv[1:]
+    tests = [t for t in tests if not wanted or t.__name__ in wanted]
+    print(f"1..{len(tests)}")
+    Atspi.init()
+    for number, test in enumerate(tests, 1):
+        name = f"/{prefix}/" + test.__name__.replace("_", "-")
+        try:
+            test()
+            print(f"ok {number} {name}", flush=True)
+        except Exception:  # whatever it is, the test has failed
+            for line in traceback.format_exc().splitlines():
+                print("#", line)
+            print(f"not ok {number} {name}", flush=True)
