@@ -2,8 +2,8 @@
 
 #include "lesson-list.h"
 #include "settings.h"
-#include "space-note.h"
 #include "site-readout.h"
+#include "space-note.h"
 #include "tooltips.h"
 #include "window-private.h"
 
@@ -143,10 +143,8 @@ on_info_response (GtkInfoBar *bar, int response, gpointer user)
 
 /* Keys */
 
-/* Whether the focus may have a key before the window's accelerators: letters
- * in entries, Space on a button, arrows in a menu or on a site. */
-static gboolean
-focus_wants_key (GtkWidget *focus, const GdkEventKey *event)
+gboolean
+hull2vd_window_focus_wants_key (GtkWidget *focus, const GdkEventKey *event)
 {
   const gboolean is_press = event->keyval == GDK_KEY_space
                             || event->keyval == GDK_KEY_Return
@@ -167,7 +165,7 @@ hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
 {
   GtkWindow *window = GTK_WINDOW (widget);
 
-  if (focus_wants_key (gtk_window_get_focus (window), event)
+  if (hull2vd_window_focus_wants_key (gtk_window_get_focus (window), event)
       && gtk_window_propagate_key_event (window, event))
     return TRUE;
   if (GTK_WIDGET_CLASS (hull2vd_window_parent_class)

@@ -78,9 +78,10 @@ show_freedom (LessonPanel *panel)
       panel,
       _ ("<b>Click</b> in the plane to add a site; inside a triangle, "
          "<b>double-click</b>. <b>Drag</b> a site to move it: hull, triangles "
-         "and cells follow.\n\n"
+         "and cells follow. <b>Right-click</b> for more, as coordinates.\n\n"
          "Click a site, a triangle or a facet to see its counterparts in both "
-         "pictures. <b>Delete</b> removes the selected site.\n\n"
+         "pictures, with <b>Shift</b> several sites. <b>Delete</b> removes "
+         "them.\n\n"
          "Then step through QuickHull below, or open a lesson at the top."));
 }
 

@@ -83,6 +83,10 @@ GVariant *window_command_state (Hull2vdWindow *window, const char *name);
 
 /* hull2vd-window.c */
 void hull2vd_window_update_title (Hull2vdWindow *window);
+/* Whether the focus may have a key before the accelerators: letters in
+ * entries, Space on a button, arrows in a menu or on a site. */
+gboolean hull2vd_window_focus_wants_key (GtkWidget *focus,
+                                         const GdkEventKey *event);
 
 /* window-files.c: open, save, export. What replaces unsaved sites asks first;
  * window_files_load() does not. */

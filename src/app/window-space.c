@@ -47,21 +47,34 @@ on_space_delete (GtkWidget *widget, GdkEvent *event, Hull2vdWindow *window)
   return TRUE;
 }
 
-/* What the picture does not want is for the main window. */
+static void
+toggle_fullscreen (GtkWidget *widget)
+{
+  const GdkWindowState state
+      = gdk_window_get_state (gtk_widget_get_window (widget));
+
+  if (state & GDK_WINDOW_STATE_FULLSCREEN)
+    gtk_window_unfullscreen (GTK_WINDOW (widget));
+  else
+    gtk_window_fullscreen (GTK_WINDOW (widget));
+}
+
+/* What the focus does not want is for the main window, but for what is about
+ * this one. */
 static gboolean
 on_space_key (GtkWidget *widget, GdkEventKey *event, Hull2vdWindow *window)
 {
   GtkWidget *focus = gtk_window_get_focus (GTK_WINDOW (widget));
 
-  if (HULL2VD_IS_CANVAS (focus)
-      && canvas_wants_key (HULL2VD_CANVAS (focus), event)
-      && gtk_window_propagate_key_event (GTK_WINDOW (widget), event))
-    return TRUE;
-  if (gtk_window_activate_key (GTK_WINDOW (window), event))
-    return TRUE;
-  if (event->keyval != GDK_KEY_Escape)
-    return FALSE;
-  gtk_window_unfullscreen (GTK_WINDOW (widget));
+  if (event->keyval == GDK_KEY_F11)
+    toggle_fullscreen (widget);
+  else if (!(hull2vd_window_focus_wants_key (focus, event)
+             && gtk_window_propagate_key_event (GTK_WINDOW (widget), event))
+           && !gtk_window_activate_key (GTK_WINDOW (window), event)) {
+    if (event->keyval != GDK_KEY_Escape)
+      return FALSE;
+    gtk_window_unfullscreen (GTK_WINDOW (widget));
+  }
   return TRUE;
 }
 
