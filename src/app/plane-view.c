@@ -1,8 +1,8 @@
 #include "plane-view.h"
 
-#include "hold-insert.h"
 #include "canvas-keys.h"
 #include "canvas-menu.h"
+#include "hold-insert.h"
 #include "site-edit.h"
 #include "site-preview.h"
 #include "step-motion.h"
