@@ -38,7 +38,8 @@ static HullCounts
 counts_of (guint32 seed, OrderKind kind)
 {
   g_autofree Site *sites = uniform_sites (seed);
-  Batch *batch = batch_build (sites, N_SITES, &(Order){ kind, seed });
+  Batch *batch
+      = batch_build (sites, N_SITES, &(Order){ kind, seed }, BATCH_OLDEST);
   const HullCounts counts = batch->counts;
 
   batch_free (batch);

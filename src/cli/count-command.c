@@ -40,7 +40,7 @@ print_count (FILE *file, const char *name, guint64 count, guint n_sites)
 static CliStatus
 print_counts (const SiteSet *set, const Order *order)
 {
-  Batch *batch = batch_build (set->sites, set->n_sites, order);
+  Batch *batch = batch_build (set->sites, set->n_sites, order, BATCH_OLDEST);
   const HullCounts *counts = &batch->counts;
   const guint n = set->n_sites;
   CliOutput output;

@@ -12,6 +12,18 @@ typedef struct Batch {
   HullCounts counts;
 } Batch;
 
+/* Which of the facets that have outside sets comes next.
+ *
+ * The oldest is the policy of lessons and traces: progress everywhere, small
+ * cavities, and the same numbers as a trace, claim for claim. BATCH_LOCAL
+ * chooses for speed: the oldest of a few hundred young facets, which lie near
+ * each other in the plane and in memory, until nothing waits there; then the
+ * youngest of all others. */
+typedef enum BatchTurn {
+  BATCH_LOCAL,
+  BATCH_OLDEST,
+} BatchTurn;
+
 /* Builds the hull of the lifts of @sites, whose magnitudes are in the range
  * of SiteSet.sites. Sites that equal others are dropped.
  *
@@ -20,7 +32,10 @@ typedef struct Batch {
  * Memory: at most 100 bytes a site.
  * Owns:   the caller frees with batch_free().
  */
-Batch *batch_build (const Site *sites, uint32_t n_sites, const Order *order);
+Batch *batch_build (const Site *sites,
+                    uint32_t n_sites,
+                    const Order *order,
+                    BatchTurn turn);
 void batch_free (Batch *batch);
 
 #endif

@@ -1,134 +1,204 @@
 /* The hand-over: each site that waited at a retired facet goes to one cone
  * facet that it sees. All cone facets share the apex, so seen from there the
- * determinant of each is a short sum (ConePlane). */
+ * determinant of each is a short sum (cone.h). */
 #include "hull-builder.h"
 #include "memory.h"
 
 #include <assert.h>
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 
-/* A determinant as rounded, and how far off it may be. */
-typedef struct Rounded {
-  double value, doubt;
-} Rounded;
+/* The cone and what waits for it, as seen from the apex. */
+typedef struct View {
+  const Site *sites;
+  uint32_t *next_outside, *claimed_by;
+  const ConeBlock *cone;
+  ConeSet *sets;
+  uint32_t n_facets;
+  Site apex;
+  /* A determinant at d is off by less than square_doubt · |d|² +
+   * offset_doubt · (|d.x| + |d.y|). */
+  double square_doubt, offset_doubt;
+} View;
 
-/* A horizon site as seen from the apex. */
-typedef struct Offset {
-  double x, y, square;
-} Offset;
-
-static inline Offset
-offset_of (const Site *site, const Site *apex)
+void
+hull_make_cone_room (HullBuilder *b, uint32_t n)
 {
-  const double x = site->x - apex->x, y = site->y - apex->y;
+  uint32_t n_blocks = b->cone_room / CONE_LANES;
 
-  return (Offset){ x, y, x * x + y * y };
+  if (n <= b->cone_room)
+    return;
+  b->cone
+      = memory_grow (b->cone, &n_blocks, n / CONE_LANES + 1, sizeof *b->cone);
+  b->cone_room = n_blocks * CONE_LANES;
+  free (b->cone_sets);
+  b->cone_sets = memory_new (b->cone_room, sizeof *b->cone_sets);
 }
 
-/* Writes the planes of the cone.
- *
- * Returns: the greatest distance of a horizon site from the apex. */
-static double
-write_planes (HullBuilder *b, const Site *apex)
+/* Empties the sets of the cone, and the lanes of its last block where there
+ * is no facet. */
+static void
+begin_sets (HullBuilder *b)
 {
   const uint32_t n = b->n_horizon;
-  const Offset first = offset_of (&b->sites[b->horizon[0].tail], apex);
-  Offset tail = first;
-  double reach = 0;
   uint32_t i;
 
-  if (n > b->planes_room)
-    b->planes = memory_grow (b->planes, &b->planes_room, n, sizeof *b->planes);
-  for (i = 0; i < n; i++) {
-    const Offset head
-        = i + 1 < n ? offset_of (&b->sites[b->horizon[i + 1].tail], apex)
-                    : first;
-
-    b->planes[i]
-        = (ConePlane){ tail.x * head.y - tail.y * head.x,
-                       tail.square * head.y - head.square * tail.y,
-                       head.square * tail.x - tail.square * head.x, 0, 0 };
-    if (tail.square > reach)
-      reach = tail.square;
-    tail = head;
-  }
-  return sqrt (reach);
+  for (i = 0; i < n; i++)
+    b->cone_sets[i] = (ConeSet){ { -INFINITY, 0 }, b->n_sites, b->n_sites };
+  for (; i % CONE_LANES != 0; i++)
+    b->cone[i / CONE_LANES].area[i % CONE_LANES] = -INFINITY;
 }
 
 /* Each of a determinant's three terms is off by less than 12 half ulps of its
  * greatest value, where |area| <= 2 reach² and |normal| <= 4 reach³. */
-static inline double
-doubt_at (const Offset *at, double reach)
+static View
+view_from (const HullBuilder *b, uint32_t apex)
 {
-  return 14 * (DBL_EPSILON / 2) * reach * reach
-             * (2 * at->square + 4 * reach * (fabs (at->x) + fabs (at->y)))
-         + DBL_MIN;
+  const double reach = sqrt (b->reach_square);
+  const double unit = 14 * (DBL_EPSILON / 2) * reach * reach;
+
+  return (View){ .sites = b->sites,
+                 .next_outside = b->next_outside,
+                 .claimed_by = b->claimed_by,
+                 .cone = b->cone,
+                 .sets = b->cone_sets,
+                 .n_facets = b->n_horizon,
+                 .apex = b->sites[apex],
+                 .square_doubt = 2 * unit,
+                 .offset_doubt = 4 * unit * reach };
 }
 
-/* Whether a site that sees cone facet @i is the furthest so far. */
-static inline bool
-leads (HullBuilder *b, uint32_t site, uint32_t i, Rounded front)
+/* Whether a site lies further from cone facet @i than the head of its set, when
+ * rounding leaves that open: exactly, and then what is known of the head. */
+static bool __attribute__ ((noinline, cold))
+leads_exactly (const HullBuilder *b, uint32_t site, uint32_t i, Rounded front)
 {
-  ConePlane *plane = &b->planes[i];
-  const uint32_t facet = hull_cone_facet (b, i);
-  const double doubt = front.doubt + plane->furthest_doubt;
+  ConeSet *set = &b->cone_sets[i];
+  const bool leads
+      = outside_is_further (b, site, set->head, hull_cone_facet (b, i));
 
-  if (b->facets[facet].outside != INDEX_NONE) {
-    if (front.value < plane->furthest - doubt)
-      return false;
-    if (front.value <= plane->furthest + doubt
-        && !outside_is_further (b, site, facet))
-      return false;
+  if (leads)
+    set->furthest = front;
+  return leads;
+}
+
+static bool __attribute__ ((noinline, cold))
+sees_exactly (const HullBuilder *b, uint32_t site, uint32_t i)
+{
+  return hull_sees (b, site, hull_cone_facet (b, i));
+}
+
+/* Puts a site that sees cone facet @i into its outside set, which the furthest
+ * site heads. Without branches, for nobody can guess whether a site leads. */
+static inline void
+claim (const HullBuilder *b,
+       const View *view,
+       uint32_t site,
+       uint32_t i,
+       Rounded front)
+{
+  ConeSet *set = &view->sets[i];
+  Rounded *furthest = &set->furthest;
+  const double lead = front.value - furthest->value;
+  bool leads = front.value > furthest->value;
+  uint32_t swap;
+
+  if (fabs (lead) <= front.doubt + furthest->doubt) {
+    leads = leads_exactly (b, site, i, front);
+  } else {
+    furthest->value
+        = front.value > furthest->value ? front.value : furthest->value;
+    furthest->doubt
+        = front.doubt > furthest->doubt ? front.doubt : furthest->doubt;
   }
-  plane->furthest = front.value;
-  plane->furthest_doubt = front.doubt;
-  return true;
+  swap = (site ^ set->head) & -(uint32_t)leads;
+  set->head ^= swap;
+  view->next_outside[site ^ swap] = set->others;
+  set->others = site ^ swap;
+  if (view->claimed_by != NULL)
+    view->claimed_by[site] = hull_cone_facet (b, i);
+  hull_tell (b, EVENT (EVENT_CLAIM, hull_cone_facet (b, i), site));
 }
 
 /* Gives the site to the first cone facet that it sees. Every lift is extreme,
- * so only a site that equals the apex sees none: it is done. */
-static void
-hand_over_one (HullBuilder *b, uint32_t site, const Site *apex, double reach)
+ * so only a site that equals the apex sees none: it is done.
+ *
+ * Returns: whether it is still to be inserted. */
+static inline bool
+hand_over_one (const HullBuilder *b, const View *view, uint32_t site)
 {
-  const Offset at = offset_of (&b->sites[site], apex);
-  const double doubt = doubt_at (&at, reach);
-  uint32_t i;
+  const Offset at = offset_of (&view->sites[site], &view->apex);
+  const double doubt = view->square_doubt * at.square
+                       + view->offset_doubt * (fabs (at.x) + fabs (at.y))
+                       + DBL_MIN;
+  double front[CONE_LANES];
+  uint32_t first;
 
-  for (i = 0; i < b->n_horizon; i++) {
-    const ConePlane *plane = &b->planes[i];
-    const double front = plane->area * at.square - plane->normal_x * at.x
-                         - plane->normal_y * at.y;
+  for (first = 0; first < view->n_facets; first += CONE_LANES) {
+    const ConeBlock *block = &view->cone[first / CONE_LANES];
+    uint32_t seen = cone_fronts (block, &at, doubt, front);
 
-    if (front > doubt
-        || (front >= -doubt && hull_sees (b, site, hull_cone_facet (b, i)))) {
-      outside_claim (b, site, hull_cone_facet (b, i),
-                     leads (b, site, i, (Rounded){ front, doubt }));
-      return;
+    for (; seen != 0; seen &= seen - 1) {
+      const uint32_t lane = (uint32_t)__builtin_ctz (seen), i = first + lane;
+
+      if (front[lane] > doubt || sees_exactly (b, site, i)) {
+        claim (b, view, site, i, (Rounded){ front[lane], doubt });
+        return true;
+      }
     }
   }
   assert (at.square == 0);
-  if (b->claimed_by != NULL)
-    b->claimed_by[site] = INDEX_NONE;
+  if (view->claimed_by != NULL)
+    view->claimed_by[site] = INDEX_NONE;
+  return false;
+}
+
+/* Lets the facets of the cone have what waits at them. */
+static void
+end_sets (HullBuilder *b)
+{
+  uint32_t i;
+
+  outside_make_room (b, b->n_horizon);
+  for (i = 0; i < b->n_horizon; i++) {
+    const ConeSet *set = &b->cone_sets[i];
+    const uint32_t facet = hull_cone_facet (b, i);
+
+    b->next_outside[set->head] = set->others;
+    b->facets[facet].outside = set->head < b->n_sites ? set->head : INDEX_NONE;
+    outside_enqueue (b, facet);
+  }
+}
+
+/* Whether anything but the apex waits. */
+static bool
+has_orphans (const HullBuilder *b, uint32_t apex)
+{
+  return b->n_orphans > 1
+         || (b->n_orphans == 1
+             && (b->orphans[0] != apex || b->next_outside[apex] != b->n_sites));
 }
 
 void
 hand_over (HullBuilder *b, uint32_t apex)
 {
-  const Site at = b->sites[apex];
-  double reach = -1;
-  uint32_t i, site, next;
+  const uint32_t end = b->n_sites;
+  uint64_t n_claims = 0;
+  uint32_t site, next;
+  View view;
 
-  for (i = 0; i < b->n_orphans; i++)
-    for (site = b->orphans[i]; site != INDEX_NONE; site = next) {
-      next = b->next_outside[site];
-      if (site == apex)
-        continue;
-      if (reach < 0)
-        reach = write_planes (b, &at);
-      hand_over_one (b, site, &at, reach);
+  if (!has_orphans (b, apex))
+    return;
+  horizon_planes (b, apex);
+  begin_sets (b);
+  view = view_from (b, apex);
+  for (uint32_t i = 0; i < b->n_orphans; i++)
+    for (site = b->orphans[i]; site != end; site = next) {
+      next = view.next_outside[site];
+      if (site != apex)
+        n_claims += hand_over_one (b, &view, site);
     }
-  if (reach >= 0)
-    for (i = 0; i < b->n_horizon; i++)
-      outside_enqueue (b, hull_cone_facet (b, i));
+  b->counts.redistributions += n_claims;
+  end_sets (b);
 }

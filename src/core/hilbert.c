@@ -105,29 +105,45 @@ fill_keys (const Site *sites, uint32_t n, unsigned index_bits, uint64_t *keys)
 }
 
 #define DIGIT_BITS 10
+#define N_DIGITS                                                               \
+  4 /* an even number brings the keys back to where they were                  \
+     */
 
-/* Sorts by the bits from @from on: a counting sort for each digit. */
+/* Turns counts of digits into the places where the first of each goes. */
+static void
+add_up (uint32_t counts[1 << DIGIT_BITS])
+{
+  uint32_t sum = 0, i;
+
+  for (i = 0; i < 1 << DIGIT_BITS; i++) {
+    const uint32_t count = counts[i];
+
+    counts[i] = sum;
+    sum += count;
+  }
+}
+
+/* Sorts by the bits from @from on, at most 40: a counting sort for each digit,
+ * to and fro between the two lists. */
 static void
 radix_sort (uint64_t *keys, uint64_t *spare, uint32_t n, unsigned from)
 {
-  unsigned shift;
+  uint32_t next[N_DIGITS][1 << DIGIT_BITS] = { { 0 } };
+  const uint64_t mask = (1 << DIGIT_BITS) - 1;
+  unsigned digit;
+  uint32_t i;
 
-  for (shift = from; shift < 64; shift += DIGIT_BITS) {
-    uint32_t next[1 << DIGIT_BITS] = { 0 };
-    const uint64_t mask = (1 << DIGIT_BITS) - 1;
-    uint32_t sum = 0, i;
+  for (i = 0; i < n; i++)
+    for (digit = 0; digit < N_DIGITS; digit++)
+      next[digit][keys[i] >> from >> (digit * DIGIT_BITS) & mask] += 1;
+  for (digit = 0; digit < N_DIGITS; digit++) {
+    uint64_t *const source = digit % 2 == 0 ? keys : spare;
+    uint64_t *const target = digit % 2 == 0 ? spare : keys;
+    const unsigned shift = digit * DIGIT_BITS;
 
+    add_up (next[digit]);
     for (i = 0; i < n; i++)
-      next[keys[i] >> shift & mask]++;
-    for (i = 0; i <= mask; i++) {
-      const uint32_t count = next[i];
-
-      next[i] = sum;
-      sum += count;
-    }
-    for (i = 0; i < n; i++)
-      spare[next[keys[i] >> shift & mask]++] = keys[i];
-    memcpy (keys, spare, n * sizeof *keys);
+      target[next[digit][source[i] >> from >> shift & mask]++] = source[i];
   }
 }
 

@@ -1,4 +1,5 @@
-/* The facets that a site sees, and the horizon: their boundary. */
+/* The facets that a site sees, and the horizon: their boundary. The batch
+ * build finds both at once (cavity.c). */
 #include "hull-builder.h"
 #include "memory.h"
 
@@ -9,8 +10,9 @@
 static void
 add_orphans (HullBuilder *b, HullFacet *row)
 {
-  if (b->n_orphans == b->orphans_room)
-    b->orphans = memory_grow (b->orphans, &b->orphans_room, b->n_orphans + 1,
+  /* The hand-over ends the list. */
+  if (b->n_orphans + 1 >= b->orphans_room)
+    b->orphans = memory_grow (b->orphans, &b->orphans_room, b->n_orphans + 2,
                               sizeof *b->orphans);
   b->orphans[b->n_orphans++] = row->outside;
   row->outside = INDEX_NONE;
@@ -87,6 +89,12 @@ horizon_collect (HullBuilder *b, uint32_t apex)
   if (b->n_visible + 2 > b->horizon_room)
     b->horizon = memory_grow (b->horizon, &b->horizon_room, b->n_visible + 2,
                               sizeof *b->horizon);
+#ifdef HULL_BATCH
+  /* The numbers of its cone. */
+  if (b->n_visible + 2 > b->visible_room)
+    b->visible = memory_grow (b->visible, &b->visible_room, b->n_visible + 2,
+                              sizeof *b->visible);
+#endif
   b->n_horizon = 0;
   do {
     const uint32_t *site = b->facets[edge >> 2].site;
@@ -107,4 +115,25 @@ horizon_collect (HullBuilder *b, uint32_t apex)
       beyond = b->facets[edge >> 2].across[edge & 3];
     }
   } while (edge != first);
+}
+
+void
+horizon_planes (HullBuilder *b, uint32_t apex)
+{
+  const Site at = b->sites[apex];
+  const uint32_t n = b->n_horizon;
+  const Offset first = offset_of (&b->sites[b->horizon[0].tail], &at);
+  Offset tail = first;
+  uint32_t i;
+
+  hull_make_cone_room (b, n);
+  for (i = 0; i < n; i++) {
+    const Offset head = i + 1 < n
+                            ? offset_of (&b->sites[b->horizon[i + 1].tail], &at)
+                            : first;
+    const ConePlane plane = cone_plane (&tail, &head);
+
+    hull_set_plane (b, i, &plane, tail.square);
+    tail = head;
+  }
 }

@@ -1,13 +1,16 @@
 /* What the parts of QuickHull share: the facets and the round in hand.
- * Private to hull, simplex, outside, hand-over, horizon and walk.
+ * Private to batch, hull, simplex, outside, hand-over, horizon and walk.
  *
- * These parts are compiled twice from one source. As they are, they tell a
- * hook of every event. With HULL_BATCH they tell nothing, so that no event
- * costs anything; a cone takes over the numbers of the facets that retire, so
- * that only the hull is kept; and listed sites may be located by walking. */
+ * These parts are compiled several times from one source. As they are, they
+ * tell a hook of every event. With HULL_BATCH they tell nothing, so that no
+ * event costs anything; a cone takes over the numbers of the facets that
+ * retire, so that only the hull is kept; and listed sites may be located by
+ * walking. Both come a second time for processors with AVX2. HULL_PREFIX
+ * tells the builds apart. */
 #ifndef HULL_BUILDER_H
 #define HULL_BUILDER_H
 
+#include "cone.h"
 #include "event.h"
 #include "hull-mesh.h"
 #include "order.h"
@@ -15,21 +18,24 @@
 
 #include <stddef.h>
 
-#ifdef HULL_BATCH
-#define hull_run batch_hull_run
-#define hull_clear batch_hull_clear
-#define simplex_find batch_simplex_find
-#define simplex_build batch_simplex_build
-#define outside_partition batch_outside_partition
-#define outside_claim batch_outside_claim
-#define outside_next_facet batch_outside_next_facet
-#define outside_select batch_outside_select
-#define outside_enqueue batch_outside_enqueue
-#define outside_is_further batch_outside_is_further
-#define hand_over batch_hand_over
-#define horizon_collect_visible batch_horizon_collect_visible
-#define horizon_collect batch_horizon_collect
-#define walk_to batch_walk_to
+#ifdef HULL_PREFIX
+#define HULL_PASTE(prefix, name) prefix##name
+#define HULL_EXPAND(prefix, name) HULL_PASTE (prefix, name)
+#define HULL_NAME(name) HULL_EXPAND (HULL_PREFIX, name)
+#define hull_run HULL_NAME (hull_run)
+#define simplex_find HULL_NAME (simplex_find)
+#define simplex_build HULL_NAME (simplex_build)
+#define outside_partition HULL_NAME (outside_partition)
+#define outside_next_facet HULL_NAME (outside_next_facet)
+#define outside_select HULL_NAME (outside_select)
+#define outside_make_room HULL_NAME (outside_make_room)
+#define outside_is_further HULL_NAME (outside_is_further)
+#define hand_over HULL_NAME (hand_over)
+#define horizon_collect_visible HULL_NAME (horizon_collect_visible)
+#define horizon_planes HULL_NAME (horizon_planes)
+#define hull_make_cone_room HULL_NAME (hull_make_cone_room)
+#define horizon_collect HULL_NAME (horizon_collect)
+#define walk_to HULL_NAME (walk_to)
 #endif
 
 typedef struct HorizonRidge {
@@ -37,27 +43,23 @@ typedef struct HorizonRidge {
   HullEdge beyond; /* the edge in the facet that is not visible */
 } HorizonRidge;
 
+/* An edge of a visible facet that the search for the horizon comes back to. */
+typedef struct PendingEdge {
+  Offset head;
+  HullEdge edge;
+} PendingEdge;
+
 /* A facet with an outside set; stale when the facet's mark is another. */
 typedef struct QueueEntry {
   uint32_t facet, birth;
 } QueueEntry;
-
-/* A facet of the cone as it looks from the apex: the determinant of a site
- * at d from the apex is area · |d|² - normal · d. */
-typedef struct ConePlane {
-  double area, normal_x, normal_y;
-  double furthest;       /* the greatest determinant in its outside set */
-  double furthest_doubt; /* and how far rounding may have moved it */
-} ConePlane;
 
 typedef struct HullBuilder {
   const Site *sites;
   uint32_t n_sites;
   const uint32_t *first; /* of a SiteSet; NULL: duplicates are found and
                             dropped on the way */
-#ifndef HULL_BATCH
-  const HullHook *hook;
-#endif
+  const HullHook *hook; /* never looked at in the batch build */
 
   HullFacet *facets;
   uint32_t n_facets, facets_room;
@@ -76,18 +78,27 @@ typedef struct HullBuilder {
   uint32_t *claimed_by; /* the facet a site waits at, while sites are listed
                            and not walked to */
 
-  uint32_t *next_outside; /* a site's follower in its outside set */
-  QueueEntry *queue;      /* oldest first, a ring of queue_room = 2^k */
-  uint32_t queue_head, n_queue, queue_room;
+  uint32_t *next_outside; /* a site's follower in its outside set; n_sites is
+                             the end, and has a row of its own */
+  /* Facets with outside sets: a stack of the first n_stacked, and from
+   * queue_head to queue_end a queue, the oldest first. Beyond n_young_max the
+   * queue becomes part of the stack; an empty one begins again with the top
+   * of the stack. */
+  QueueEntry *queue;
+  uint32_t n_stacked, queue_head, queue_end, queue_room;
+  uint32_t n_young_max;
 
   uint32_t *visible; /* in the batch build also the cone's numbers */
   uint32_t n_visible, visible_room;
-  uint32_t *orphans; /* heads of the visible facets' outside sets */
+  PendingEdge *pending; /* in the batch build: edges of visible facets */
+  uint32_t *orphans;    /* heads of the visible facets' outside sets */
   uint32_t n_orphans, orphans_room;
   HorizonRidge *horizon;
   uint32_t n_horizon, horizon_room;
-  ConePlane *planes;
-  uint32_t planes_room;
+  ConeBlock *cone;
+  ConeSet *cone_sets;
+  uint32_t cone_room;  /* in facets, whole blocks */
+  double reach_square; /* of the horizon site furthest from the apex */
   uint32_t first_cone; /* the first number of the cone */
 
   HullCounts counts;
@@ -97,6 +108,13 @@ typedef struct HullBuilder {
  *
  * Returns: false when all lifts lie in one plane: nothing is built. */
 bool hull_run (HullBuilder *b);
+
+/* Its other builds: without a hook, with the horizon's ridges in the order of
+ * lessons and in the fastest one; and, with HULL_HAS_AVX2, for AVX2. */
+bool lesson_hull_run (HullBuilder *b);
+bool batch_hull_run (HullBuilder *b);
+bool avx2_hull_run (HullBuilder *b);
+bool batch_avx2_hull_run (HullBuilder *b);
 
 /* Frees all but the facets. */
 void hull_clear (HullBuilder *b);
@@ -112,24 +130,36 @@ void outside_partition (HullBuilder *b);
 uint32_t outside_next_facet (HullBuilder *b);
 uint32_t outside_select (HullBuilder *b, uint32_t facet);
 
-/* Puts the site into the facet's outside set, at its head when it is the
- * furthest there. */
-void
-outside_claim (HullBuilder *b, uint32_t site, uint32_t facet, bool is_furthest);
+/* Whether the site lies further from the facet than another, exactly; a tie
+ * goes to the lower index. */
+bool outside_is_further (const HullBuilder *b,
+                         uint32_t site,
+                         uint32_t other,
+                         uint32_t facet);
 
-/* Whether the site lies further from the facet than the head of its outside
- * set, exactly; a tie goes to the lower index. */
-bool outside_is_further (const HullBuilder *b, uint32_t site, uint32_t facet);
+/* Makes room for so many more facets that wait. */
+void outside_make_room (HullBuilder *b, uint32_t n);
 
-/* Lets a facet that has an outside set wait for its turn. */
-void outside_enqueue (HullBuilder *b, uint32_t facet);
+/* Lets a facet wait for its turn if it has an outside set. */
+static inline void
+outside_enqueue (HullBuilder *b, uint32_t facet)
+{
+  const HullFacet *row = &b->facets[facet];
+
+  b->queue[b->queue_end] = (QueueEntry){ facet, row->mark };
+  b->queue_end += row->outside != INDEX_NONE;
+}
 
 /* hand-over.c: gives the orphans to the cone. */
+void hull_make_cone_room (HullBuilder *b, uint32_t n);
 void hand_over (HullBuilder *b, uint32_t apex);
 
 /* horizon.c: the visible facets and their boundary in loop order. */
 void horizon_collect_visible (HullBuilder *b, uint32_t facet, uint32_t apex);
 void horizon_collect (HullBuilder *b, uint32_t apex);
+
+/* Writes the planes of the cone on it. */
+void horizon_planes (HullBuilder *b, uint32_t apex);
 
 /* walk.c: walks from the last cone through the shadows of lower facets.
  *
@@ -146,6 +176,24 @@ hull_cone_facet (const HullBuilder *b, uint32_t i)
 #else
   return b->first_cone + i;
 #endif
+}
+
+/* Writes the plane of cone facet @i, the squared distance of whose ridge's
+ * tail is given. */
+static inline void
+hull_set_plane (HullBuilder *b,
+                uint32_t i,
+                const ConePlane *plane,
+                double square)
+{
+  ConeBlock *block = &b->cone[i / CONE_LANES];
+  const uint32_t lane = i % CONE_LANES;
+
+  block->area[lane] = plane->area;
+  block->normal_x[lane] = plane->normal_x;
+  block->normal_y[lane] = plane->normal_y;
+  b->reach_square
+      = i > 0 && b->reach_square > square ? b->reach_square : square;
 }
 
 /* An event that concerns no ridge. */

@@ -15,9 +15,6 @@ number_cone (HullBuilder *b)
   const uint32_t n_new = b->n_horizon - b->n_visible;
   uint32_t i;
 
-  if (b->n_horizon > b->visible_room)
-    b->visible = memory_grow (b->visible, &b->visible_room, b->n_horizon,
-                              sizeof *b->visible);
   for (i = 0; i < n_new; i++)
     b->visible[b->n_visible + i] = b->n_facets + i;
 #else
@@ -90,6 +87,8 @@ hull_run (HullBuilder *b)
   return true;
 }
 
+#ifndef HULL_PREFIX
+
 void
 hull_clear (HullBuilder *b)
 {
@@ -97,12 +96,12 @@ hull_clear (HullBuilder *b)
   free (b->next_outside);
   free (b->queue);
   free (b->visible);
+  free (b->pending);
   free (b->orphans);
   free (b->horizon);
-  free (b->planes);
+  free (b->cone);
+  free (b->cone_sets);
 }
-
-#ifndef HULL_BATCH
 
 static void
 tell_duplicates (const HullBuilder *b)
@@ -114,6 +113,16 @@ tell_duplicates (const HullBuilder *b)
       hull_tell (b, EVENT (EVENT_DUPLICATE, INDEX_NONE, site));
 }
 
+static bool
+run (HullBuilder *b)
+{
+#ifdef HULL_HAS_AVX2
+  if (__builtin_cpu_supports ("avx2"))
+    return avx2_hull_run (b);
+#endif
+  return hull_run (b);
+}
+
 void
 hull_build (const SiteSet *set, const Order *order, const HullHook *hook)
 {
@@ -122,11 +131,12 @@ hull_build (const SiteSet *set, const Order *order, const HullHook *hook)
                     .n_sites = set->n_sites,
                     .first = set->first,
                     .hook = hook,
+                    .n_young_max = UINT32_MAX,
                     .list = list.sites,
                     .n_listed = list.n_listed };
 
   tell_duplicates (&b);
-  if (!hull_run (&b))
+  if (!run (&b))
     hull_tell (&b, EVENT (EVENT_FLAT, INDEX_NONE, INDEX_NONE));
   hull_tell (&b, EVENT (EVENT_COMPLETE, INDEX_NONE, INDEX_NONE));
   hull_clear (&b);

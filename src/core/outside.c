@@ -5,63 +5,46 @@
 
 #include <assert.h>
 #include <stdlib.h>
-
-void
-outside_claim (HullBuilder *b, uint32_t site, uint32_t facet, bool is_furthest)
-{
-  HullFacet *row = &b->facets[facet];
-
-  if (is_furthest) {
-    b->next_outside[site] = row->outside;
-    row->outside = site;
-  } else {
-    b->next_outside[site] = b->next_outside[row->outside];
-    b->next_outside[row->outside] = site;
-  }
-  if (b->claimed_by != NULL)
-    b->claimed_by[site] = facet;
-  b->counts.redistributions += 1;
-  hull_tell (b, EVENT (EVENT_CLAIM, facet, site));
-}
+#include <string.h>
 
 bool
-outside_is_further (const HullBuilder *b, uint32_t site, uint32_t facet)
+outside_is_further (const HullBuilder *b,
+                    uint32_t site,
+                    uint32_t other,
+                    uint32_t facet)
 {
-  const HullFacet *row = &b->facets[facet];
+  const uint32_t *corner = b->facets[facet].site;
   const Site *sites = b->sites;
-  const uint32_t head = row->outside;
   const Site plane[3]
-      = { sites[row->site[0]], sites[row->site[1]], sites[row->site[2]] };
-  const int further = lift_further (plane, &sites[site], &sites[head]);
+      = { sites[corner[0]], sites[corner[1]], sites[corner[2]] };
+  const int further = lift_further (plane, &sites[site], &sites[other]);
 
-  return further > 0 || (further == 0 && site < head);
+  return further > 0 || (further == 0 && site < other);
 }
 
+/* Moves the queue down to the stack: it has left its first places. */
 static void
-grow_queue (HullBuilder *b)
+slide_queue (HullBuilder *b)
 {
-  const uint32_t room = b->queue_room == 0 ? 64 : 2 * b->queue_room;
-  QueueEntry *queue = memory_new (room, sizeof *queue);
-  uint32_t i;
+  const uint32_t n = b->queue_end - b->queue_head;
 
-  for (i = 0; i < b->n_queue; i++)
-    queue[i] = b->queue[(b->queue_head + i) & (b->queue_room - 1)];
-  free (b->queue);
-  b->queue = queue;
-  b->queue_head = 0;
-  b->queue_room = room;
+  if (b->queue_head > b->n_stacked)
+    memmove (&b->queue[b->n_stacked], &b->queue[b->queue_head],
+             n * sizeof *b->queue);
+  b->queue_head = b->n_stacked;
+  b->queue_end = b->n_stacked + n;
 }
 
 void
-outside_enqueue (HullBuilder *b, uint32_t facet)
+outside_make_room (HullBuilder *b, uint32_t n)
 {
-  if (b->facets[facet].outside == INDEX_NONE)
+  if (b->queue_end + n < b->queue_room)
     return;
-  if (b->n_queue == b->queue_room)
-    grow_queue (b);
-  b->queue[(b->queue_head + b->n_queue) & (b->queue_room - 1)]
-      = (QueueEntry){ facet, b->facets[facet].mark };
-  b->n_queue += 1;
+  slide_queue (b);
+  /* Room for as much again, so that it is not moved too often. */
+  if (b->queue_end + n >= b->queue_room / 2)
+    b->queue = memory_grow (b->queue, &b->queue_room, b->queue_room + 2 * n,
+                            sizeof *b->queue);
 }
 
 static bool
@@ -72,13 +55,24 @@ is_simplex_site (const HullBuilder *b, uint32_t site)
   return site == s[0] || site == s[1] || site == s[2] || site == s[3];
 }
 
-/* Gives a site to a facet that it sees, and may be the furthest to do so. */
+/* Puts a site into the outside set of a facet that it sees, at its head when
+ * it is the furthest there. */
 static void
-claim_one (HullBuilder *b, uint32_t site, uint32_t facet)
+claim (HullBuilder *b, uint32_t site, uint32_t facet)
 {
-  outside_claim (b, site, facet,
-                 b->facets[facet].outside == INDEX_NONE
-                     || outside_is_further (b, site, facet));
+  uint32_t *head = &b->facets[facet].outside;
+
+  if (*head == INDEX_NONE || outside_is_further (b, site, *head, facet)) {
+    b->next_outside[site] = *head == INDEX_NONE ? b->n_sites : *head;
+    *head = site;
+  } else {
+    b->next_outside[site] = b->next_outside[*head];
+    b->next_outside[*head] = site;
+  }
+  if (b->claimed_by != NULL)
+    b->claimed_by[site] = facet;
+  b->counts.redistributions += 1;
+  hull_tell (b, EVENT (EVENT_CLAIM, facet, site));
 }
 
 /* Hands every site but the simplex to the first of its facets that it sees. A
@@ -99,7 +93,7 @@ partition_over_simplex (HullBuilder *b)
       facet++;
     assert (facet < 4 || b->first == NULL);
     if (facet < 4)
-      claim_one (b, site, facet);
+      claim (b, site, facet);
   }
 }
 
@@ -112,7 +106,7 @@ partition_by_walking (HullBuilder *b)
 
   for (site = b->n_listed; site < b->n_sites; site++)
     if (!is_simplex_site (b, site) && (facet = walk_to (b, site)) != INDEX_NONE)
-      claim_one (b, site, facet);
+      claim (b, site, facet);
 }
 
 static void
@@ -120,6 +114,7 @@ enqueue_all (HullBuilder *b)
 {
   uint32_t facet;
 
+  outside_make_room (b, b->n_facets);
   for (facet = 0; facet < b->n_facets; facet++)
     outside_enqueue (b, facet);
 }
@@ -129,11 +124,28 @@ outside_partition (HullBuilder *b)
 {
   if (b->walks)
     return;
-  b->next_outside = memory_new (b->n_sites, sizeof *b->next_outside);
+  b->next_outside
+      = memory_new ((size_t)b->n_sites + 1, sizeof *b->next_outside);
   if (b->n_listed > 0)
     b->claimed_by = memory_new (b->n_sites, sizeof *b->claimed_by);
   partition_over_simplex (b);
   enqueue_all (b);
+}
+
+/* Puts the young facets onto the stack when they are many, and goes on with
+ * the youngest when there are none. */
+static void
+stay_local (HullBuilder *b)
+{
+  if (b->queue_end - b->queue_head > b->n_young_max) {
+    slide_queue (b);
+    b->n_stacked = b->queue_head = b->queue_end;
+  }
+  if (b->queue_head == b->queue_end && b->n_stacked > 0) {
+    b->n_stacked -= 1;
+    b->queue_head = b->n_stacked;
+    b->queue_end = b->n_stacked + 1;
+  }
 }
 
 /* Facets get their outside sets at birth and join the queue then, so the
@@ -141,16 +153,18 @@ outside_partition (HullBuilder *b)
 static uint32_t
 oldest_facet (HullBuilder *b)
 {
-  while (b->n_queue > 0) {
-    const QueueEntry entry = b->queue[b->queue_head];
-    const HullFacet *row = &b->facets[entry.facet];
+  for (;;) {
+    const HullFacet *row;
+    QueueEntry entry;
 
-    b->queue_head = (b->queue_head + 1) & (b->queue_room - 1);
-    b->n_queue -= 1;
+    stay_local (b);
+    if (b->queue_head == b->queue_end)
+      return INDEX_NONE;
+    entry = b->queue[b->queue_head++];
+    row = &b->facets[entry.facet];
     if (row->mark == entry.birth && row->outside != INDEX_NONE)
       return entry.facet;
   }
-  return INDEX_NONE;
 }
 
 static uint32_t
@@ -186,11 +200,14 @@ outside_next_facet (HullBuilder *b)
     return facet;
   if (b->walks && b->n_listed < b->n_sites) {
     b->walks = false;
-    b->next_outside = memory_new (b->n_sites, sizeof *b->next_outside);
+    b->next_outside
+        = memory_new ((size_t)b->n_sites + 1, sizeof *b->next_outside);
     partition_by_walking (b);
     enqueue_all (b);
   }
-  return b->next_outside != NULL ? oldest_facet (b) : INDEX_NONE;
+  if (b->next_outside == NULL)
+    return INDEX_NONE;
+  return oldest_facet (b);
 }
 
 /* Takes the next site from the facet's outside set and begins a round. */

@@ -44,7 +44,7 @@ name_first (const SiteSet *set, Batch *batch)
 void
 result_init_batch (Result *result, const SiteSet *set, const Order *order)
 {
-  Batch *batch = batch_build (set->sites, set->n_sites, order);
+  Batch *batch = batch_build (set->sites, set->n_sites, order, BATCH_LOCAL);
   uint32_t facet;
 
   name_first (set, batch);

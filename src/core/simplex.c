@@ -61,10 +61,12 @@ set_doubts (HullBuilder *b)
   uint32_t i;
 
   for (i = 1; i < b->n_sites; i++) {
-    low.x = fmin (low.x, b->sites[i].x);
-    low.y = fmin (low.y, b->sites[i].y);
-    high.x = fmax (high.x, b->sites[i].x);
-    high.y = fmax (high.y, b->sites[i].y);
+    const Site *site = &b->sites[i];
+
+    low.x = site->x < low.x ? site->x : low.x;
+    low.y = site->y < low.y ? site->y : low.y;
+    high.x = site->x > high.x ? site->x : high.x;
+    high.y = site->y > high.y ? site->y : high.y;
   }
   side = fmax (high.x - low.x, high.y - low.y);
   b->orient_doubt = 5 * (DBL_EPSILON / 2) * 2 * side * side + DBL_MIN;

@@ -96,7 +96,7 @@ main (int argc, char **argv)
 
     n_bytes = peak_bytes = 0;
     bench_start (&times);
-    batch = batch_build (sites.sites, sites.n_sites, &order);
+    batch = batch_build (sites.sites, sites.n_sites, &order, BATCH_LOCAL);
     bench_stop (&times);
     n_triangles = count_lower (batch, sites.sites);
     n_created = batch->counts.facets_created;
