@@ -1,7 +1,9 @@
 /* The engine without events against the one with them, and the orders. */
 #include "batch.h"
+#include "certify.h"
 #include "fixture.h"
 #include "hilbert.h"
+#include "rbox.h"
 
 #include <math.h>
 #include <string.h>
@@ -87,6 +89,66 @@ test_every_order_builds_the_same_hull (void)
   fixture_for_each (1, 400, ORDER_FURTHEST, check_every_order);
 }
 
+/* What certify finds in the sites' triangulation, diagram and hull. */
+static void
+assert_certified (const SiteSet *set, OrderKind kind, const char *name)
+{
+  char why[CERTIFY_ROOM];
+  Result result;
+
+  result_init_batch (&result, set, &(Order){ kind, 1 });
+  if (!certify_result (&result, why))
+    g_error ("%s, order %s: %s", name, order_kind_name (kind), why);
+  result_clear (&result);
+}
+
+static void
+certify_every_order (const SiteSet *set, const char *name)
+{
+  for (OrderKind kind = ORDER_FURTHEST; kind < N_ORDERS; kind++)
+    assert_certified (set, kind, name);
+}
+
+static void
+test_results_of_every_family_are_certified (void)
+{
+  for (Rbox kind = 0; kind < N_RBOXES; kind++) {
+    SiteSet *set = rbox_new (kind, 7, 3000);
+
+    certify_every_order (set, rbox_name (kind));
+    site_set_free (set);
+  }
+}
+
+/* The bit patterns of both builds' results. */
+static void
+assert_same_without_avx2 (const SiteSet *set, const char *name)
+{
+  for (OrderKind kind = ORDER_FURTHEST; kind < N_ORDERS; kind++) {
+    const Order order = { kind, 3 };
+    Batch *with = batch_build (set->sites, set->n_sites, &order, BATCH_LOCAL);
+    Batch *without;
+
+    batch_use_avx2 (false);
+    without = batch_build (set->sites, set->n_sites, &order, BATCH_LOCAL);
+    batch_use_avx2 (true);
+    if (with->n_facets != without->n_facets
+        || memcmp (with->facets, without->facets,
+                   with->n_facets * sizeof *with->facets)
+               != 0)
+      g_error ("%s, order %s: AVX2 makes a difference", name,
+               order_kind_name (kind));
+    batch_free (with);
+    batch_free (without);
+  }
+}
+
+static void
+test_avx2_makes_no_difference (void)
+{
+  rbox_for_each (2, 300, assert_same_without_avx2);
+}
+
 /* Neighbours agree: the same edge the other way, and back again. */
 static void
 check_neighbours (const Fixture *fixture)
@@ -125,8 +187,7 @@ test_flat_input_has_no_facet (void)
 
   for (OrderKind kind = ORDER_FURTHEST; kind < N_ORDERS; kind++)
     for (uint32_t n = 0; n <= G_N_ELEMENTS (square); n++) {
-      Batch *batch
-          = batch_build (square, n, &(Order){ kind, 1 }, BATCH_LOCAL);
+      Batch *batch = batch_build (square, n, &(Order){ kind, 1 }, BATCH_LOCAL);
 
       g_assert_cmpuint (batch->n_facets, ==, 0);
       batch_free (batch);
@@ -192,6 +253,10 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/batch/every-order-builds-the-same-hull",
                    test_every_order_builds_the_same_hull);
+  g_test_add_func ("/batch/results-of-every-family-are-certified",
+                   test_results_of_every_family_are_certified);
+  g_test_add_func ("/batch/avx2-makes-no-difference",
+                   test_avx2_makes_no_difference);
   g_test_add_func ("/batch/neighbours-agree", test_neighbours_agree);
   g_test_add_func ("/batch/flat-input-has-no-facet",
                    test_flat_input_has_no_facet);

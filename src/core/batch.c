@@ -117,13 +117,21 @@ name_sites (HullBuilder *b, const uint32_t *names)
  * 11.8, 8.4, 5.7, 5.1 and 4.3 facets a site. */
 #define N_YOUNG_MAX 32
 
+static bool is_avx2_used = true;
+
+void
+batch_use_avx2 (bool is_used)
+{
+  is_avx2_used = is_used;
+}
+
 static bool
 run (HullBuilder *b, BatchTurn turn)
 {
   if (turn == BATCH_OLDEST)
     return lesson_hull_run (b);
 #ifdef HULL_HAS_AVX2
-  if (__builtin_cpu_supports ("avx2"))
+  if (is_avx2_used && __builtin_cpu_supports ("avx2"))
     return batch_avx2_hull_run (b);
 #endif
   return batch_hull_run (b);

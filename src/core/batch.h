@@ -38,4 +38,8 @@ Batch *batch_build (const Site *sites,
                     BatchTurn turn);
 void batch_free (Batch *batch);
 
+/* Whether AVX2 is used where the processor has it, as it is unless a test or a
+ * measurement says otherwise; the results are the same. */
+void batch_use_avx2 (bool is_used);
+
 #endif

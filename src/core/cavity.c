@@ -12,6 +12,7 @@
 #include "hull-builder.h"
 #include "memory.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -49,20 +50,35 @@ offset_to (const HullBuilder *b, uint32_t site, const Site *apex)
   return offset_of (&b->sites[site], apex);
 }
 
-/* Whether the apex sees the facet that has a site in front of a plane, or if
- * rounding leaves that open, exactly. */
+static bool __attribute__ ((noinline, cold))
+sees_exactly (const HullBuilder *b, uint32_t facet, uint32_t apex)
+{
+  const uint32_t *corner = b->facets[facet].site;
+
+  return lift_orient (&b->sites[corner[0]], &b->sites[corner[1]],
+                      &b->sites[corner[2]], &b->sites[apex])
+         > 0;
+}
+
+/* Whether the apex sees the facet that has a site in front of the plane on a
+ * ridge, or if rounding leaves that open, exactly. The determinant is a sum of
+ * six products that are at most reach⁴, each off by less than 14 half ulps.
+ * The bound on reach² is the sum of the three squares. */
 static inline bool
 is_visible (const HullBuilder *b,
             const ConePlane *plane,
+            double squares,
             const Offset *at,
             uint32_t facet,
             uint32_t apex)
 {
   const double front = cone_front (plane, at);
+  const double reach = squares + at->square;
+  const double doubt = 6 * 16 * (DBL_EPSILON / 2) * reach * reach + DBL_MIN;
 
-  if (fabs (front) > b->doubt)
+  if (fabs (front) > doubt || b->is_whole)
     return front > 0;
-  return hull_sees (b, apex, facet);
+  return sees_exactly (b, facet, apex);
 }
 
 void
@@ -89,7 +105,8 @@ horizon_collect_visible (HullBuilder *b, uint32_t facet, uint32_t apex)
     const ConePlane plane = cone_plane (&tail, &head);
 
     n_tests += 1;
-    if (is_visible (b, &plane, &site, beyond >> 2, apex)) {
+    if (is_visible (b, &plane, tail.square + head.square, &site, beyond >> 2,
+                    apex)) {
       add_visible (b, beyond >> 2);
       b->pending[n_pending++] = (PendingEdge){ head, third };
       edge = hull_next_edge (beyond);

@@ -1,5 +1,6 @@
 /* What the exact stages start from: the way from one site to another, as
- * sums of two doubles that lose nothing. Private to the exact-*.c files.
+ * sums of two doubles that lose nothing. Private to the exact-*.c files and
+ * simplex.c.
  *
  * Nothing overflows or underflows: in SITE_RANGE every coordinate is a
  * multiple of 2^-197 and less than 2^146, and no predicate multiplies more

@@ -56,7 +56,8 @@ static View
 view_from (const HullBuilder *b, uint32_t apex)
 {
   const double reach = sqrt (b->reach_square);
-  const double unit = 14 * (DBL_EPSILON / 2) * reach * reach;
+  const double half_ulp = b->is_whole ? 0 : DBL_EPSILON / 2;
+  const double unit = 14 * half_ulp * reach * reach;
 
   return (View){ .sites = b->sites,
                  .next_outside = b->next_outside,
@@ -75,8 +76,9 @@ static bool __attribute__ ((noinline, cold))
 leads_exactly (const HullBuilder *b, uint32_t site, uint32_t i, Rounded front)
 {
   ConeSet *set = &b->cone_sets[i];
-  const bool leads
-      = outside_is_further (b, site, set->head, hull_cone_facet (b, i));
+  const bool leads = b->is_whole ? site < set->head
+                                 : outside_is_further (b, site, set->head,
+                                                       hull_cone_facet (b, i));
 
   if (leads)
     set->furthest = front;
@@ -86,7 +88,13 @@ leads_exactly (const HullBuilder *b, uint32_t site, uint32_t i, Rounded front)
 static bool __attribute__ ((noinline, cold))
 sees_exactly (const HullBuilder *b, uint32_t site, uint32_t i)
 {
-  return hull_sees (b, site, hull_cone_facet (b, i));
+  const uint32_t *corner = b->facets[hull_cone_facet (b, i)].site;
+
+  if (b->is_whole)
+    return false;
+  return lift_orient (&b->sites[corner[0]], &b->sites[corner[1]],
+                      &b->sites[corner[2]], &b->sites[site])
+         > 0;
 }
 
 /* Puts a site that sees cone facet @i into its outside set, which the furthest

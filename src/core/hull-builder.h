@@ -59,13 +59,14 @@ typedef struct HullBuilder {
   uint32_t n_sites;
   const uint32_t *first; /* of a SiteSet; NULL: duplicates are found and
                             dropped on the way */
-  const HullHook *hook; /* never looked at in the batch build */
+  const HullHook *hook;  /* never looked at in the batch build */
 
   HullFacet *facets;
   uint32_t n_facets, facets_room;
   uint32_t round;      /* 1 for the first insertion */
   double doubt;        /* bounds rounding in the lift_orient() of any sites */
   double orient_doubt; /* and in their orient() */
+  bool is_whole; /* sites lie on so small a grid that nothing is rounded */
   uint32_t simplex[4]; /* its sites, base first, then the top */
 
   /* The first n_listed sites to insert are listed; then the furthest of the
@@ -229,8 +230,8 @@ hull_sees (const HullBuilder *b, uint32_t site, uint32_t facet)
                         + (bx * bx + by * by) * (cx * ay - ax * cy)
                         + (cx * cx + cy * cy) * (ax * by - bx * ay);
 
-  if (behind > b->doubt)
-    return false;
+  if (behind > b->doubt || b->is_whole)
+    return behind < 0;
   if (behind < -b->doubt)
     return true;
   return lift_orient (s0, s1, s2, p) > 0;

@@ -2,6 +2,7 @@
  * insertion and the first one whose lift is not coplanar with theirs, so that
  * an author chooses it by the order of the sites. No three lifts are
  * collinear, so any three distinct sites will do as its base. */
+#include "exact-vector.h"
 #include "hull-builder.h"
 #include "memory.h"
 
@@ -49,6 +50,31 @@ simplex_find (HullBuilder *b)
   return n_found == 4;
 }
 
+static inline bool
+is_whole_number (double value)
+{
+  return (double)(int32_t)value == value;
+}
+
+/* Whether the sites lie whole steps from the corner @low, exactly, and less
+ * than 2^12 of them. Then so do differences of sites, and each term and sum of
+ * a determinant is a whole number below 12 · 2^48: none is rounded. */
+static bool
+is_whole (const HullBuilder *b, Site low, double side)
+{
+  const double scale = ldexp (1, 11 - ilogb (side));
+  uint32_t i;
+
+  for (i = 0; i < b->n_sites; i++) {
+    const Vector v = vector_between (&low, &b->sites[i]);
+
+    if (v.x.low != 0 || v.y.low != 0 || !is_whole_number (v.x.high * scale)
+        || !is_whole_number (v.y.high * scale))
+      return false;
+  }
+  return true;
+}
+
 /* Bounds for the filters, from the side of a square around all sites.
  * Shewchuk 1997, ccwerrboundA and iccerrboundA: 3 and 10 half ulps and a
  * little of the sum of the terms' magnitudes, which is at most 2 side² and
@@ -69,6 +95,7 @@ set_doubts (HullBuilder *b)
     high.y = site->y > high.y ? site->y : high.y;
   }
   side = fmax (high.x - low.x, high.y - low.y);
+  b->is_whole = is_whole (b, low, side);
   b->orient_doubt = 5 * (DBL_EPSILON / 2) * 2 * side * side + DBL_MIN;
   b->doubt = 16 * (DBL_EPSILON / 2) * 12 * side * side * side * side + DBL_MIN;
 }

@@ -7,7 +7,7 @@
 
 struct TraceRecorder {
   TraceRows rows;
-  uint32_t events_room, rounds_room;
+  uint32_t rounds_room;
 };
 
 TraceRecorder *
@@ -58,11 +58,13 @@ link_simplex (TraceRecorder *r)
 
   for (a = 0; a < 4; a++)
     for (k = 0; k < 3; k++)
-      for (b = a + 1; b < 4; b++)
-        if (trace_rows_edge (&r->rows, b, facets[a].site[(k + 1) % 3],
-                             facets[a].site[k])
-            < 3)
-          trace_rows_add_ridge (&r->rows, a, k, b);
+      for (b = a + 1; b < 4; b++) {
+        const uint32_t b_k = trace_rows_edge (
+            &r->rows, b, facets[a].site[(k + 1) % 3], facets[a].site[k]);
+
+        if (b_k < 3)
+          trace_rows_add_ridge (&r->rows, a, k, b, b_k);
+      }
 }
 
 static void
@@ -98,8 +100,7 @@ add_select (TraceRecorder *r, const Event *event)
 {
   Trace *trace = r->rows.trace;
 
-  trace_rows_end_claim (&r->rows, r->rows.claim_of[event->site]);
-  r->rows.n_free -= 1; /* it goes on the hull */
+  trace_rows_end_claim (&r->rows, event->facet);
   if (trace->n_rounds == r->rounds_room)
     trace->rounds = memory_grow (trace->rounds, &r->rounds_room,
                                  trace->n_rounds + 1, sizeof *trace->rounds);
@@ -118,11 +119,13 @@ link_cone (TraceRecorder *r, uint32_t facet)
   const uint32_t n_ridges = round->last_horizon - round->first_horizon + 1;
   const Event *ridge = &r->rows.trace->events[round->first_horizon - 1 + i];
 
-  trace_rows_add_ridge (&r->rows, facet, 0, ridge->facet);
+  trace_rows_add_ridge (&r->rows, facet, 0, ridge->facet,
+                        trace_rows_edge (&r->rows, ridge->facet,
+                                         ridge->ridge[1], ridge->ridge[0]));
   if (i > 0)
-    trace_rows_add_ridge (&r->rows, facet, 2, facet - 1);
+    trace_rows_add_ridge (&r->rows, facet, 2, facet - 1, 1);
   if (i + 1 == n_ridges)
-    trace_rows_add_ridge (&r->rows, facet, 1, facet - i);
+    trace_rows_add_ridge (&r->rows, facet, 1, facet - i, 2);
 }
 
 static void
@@ -144,6 +147,24 @@ add_retire (TraceRecorder *r, const Event *event)
   round->end = round->last_retire;
   trace_rows_end_facet (&r->rows, event->facet);
   r->rows.trace->inserted[round->site] = round->last_retire;
+}
+
+/* Gives back what was not needed. */
+static void *
+fit (void *rows, size_t n, size_t size)
+{
+  void *fitting = realloc (rows, n > 0 ? n * size : 1);
+
+  return fitting != NULL ? fitting : rows;
+}
+
+static void
+fit_all (Trace *trace)
+{
+  trace->events = fit (trace->events, trace->n_events, sizeof *trace->events);
+  trace->facets = fit (trace->facets, trace->n_facets, sizeof *trace->facets);
+  trace->ridges = fit (trace->ridges, trace->n_ridges, sizeof *trace->ridges);
+  trace->claims = fit (trace->claims, trace->n_claims, sizeof *trace->claims);
 }
 
 /* Writes what the event changes into the rows. */
@@ -191,8 +212,8 @@ trace_recorder_hook (const Event *event, void *recorder)
   Trace *trace = r->rows.trace;
 
   change_rows (r, event);
-  if (trace->n_events == r->events_room)
-    trace->events = memory_grow (trace->events, &r->events_room,
+  if (trace->n_events == r->rows.events_room)
+    trace->events = memory_grow (trace->events, &r->rows.events_room,
                                  trace->n_events + 1, sizeof *trace->events);
   trace->events[trace->n_events++] = *event;
 }
@@ -215,7 +236,10 @@ trace_recorder_finish (TraceRecorder *r)
       = trace->n_events > 0
         && trace->events[trace->n_events - 1].kind == EVENT_COMPLETE;
 
+  if (is_whole && !trace->is_flat)
+    trace_rows_end_claims (&r->rows);
   trace_rows_clear (&r->rows);
+  fit_all (trace);
   free (r);
   if (is_whole)
     return trace;

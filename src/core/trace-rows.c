@@ -5,6 +5,30 @@
 #include <assert.h>
 #include <stdlib.h>
 
+/* Beyond, rows grow as they come. */
+#define ROOM_MAX 50000
+
+/* Room for what QuickHull says of so many uniform sites, so that nothing is
+ * moved while it grows: a little more than 5.6 facets a site, two ridges a
+ * facet, and 15 to 18 claims. */
+static void
+make_room (TraceRows *rows, uint32_t n_sites)
+{
+  const uint32_t n = n_sites < ROOM_MAX ? n_sites : ROOM_MAX;
+  Trace *trace = rows->trace;
+
+  trace->facets = memory_grow (NULL, &rows->facets_room, 6 * n + 16,
+                               sizeof *trace->facets);
+  rows->links
+      = memory_grow (NULL, &rows->links_room, 6 * n + 16, sizeof *rows->links);
+  trace->ridges = memory_grow (NULL, &rows->ridges_room, 12 * n + 32,
+                               sizeof *trace->ridges);
+  trace->claims = memory_grow (NULL, &rows->claims_room, 20 * n + 16,
+                               sizeof *trace->claims);
+  trace->events = memory_grow (NULL, &rows->events_room, 38 * n + 64,
+                               sizeof *trace->events);
+}
+
 void
 trace_rows_init (TraceRows *rows, const SiteSet *set, const Order *order)
 {
@@ -16,6 +40,7 @@ trace_rows_init (TraceRows *rows, const SiteSet *set, const Order *order)
   rows->trace->inserted = memory_new (set->n_sites, sizeof (uint32_t));
   rows->claim_of = memory_new (set->n_sites, sizeof (uint32_t));
   rows->n_free = set->n_distinct;
+  make_room (rows, set->n_sites);
   for (site = 0; site < set->n_sites; site++) {
     rows->trace->inserted[site] = STEP_NEVER;
     rows->claim_of[site] = INDEX_NONE;
@@ -26,14 +51,7 @@ void
 trace_rows_clear (TraceRows *rows)
 {
   free (rows->links);
-  free (rows->previous_claim);
   free (rows->claim_of);
-}
-
-uint32_t
-trace_rows_step (const TraceRows *rows)
-{
-  return rows->trace->n_events + 1;
 }
 
 void
@@ -59,7 +77,7 @@ trace_rows_add_facet (TraceRows *rows, const Event *event)
   row->facing = facing (&sites[row->site[0]], &sites[row->site[1]],
                         &sites[row->site[2]]);
   row->span = (Span){ trace_rows_step (rows), STEP_NEVER };
-  rows->links[facet].last_claim = INDEX_NONE;
+  rows->links[facet].n_waiting = 0;
 }
 
 uint32_t
@@ -80,15 +98,15 @@ void
 trace_rows_add_ridge (TraceRows *rows,
                       uint32_t left,
                       uint32_t k,
-                      uint32_t right)
+                      uint32_t right,
+                      uint32_t right_k)
 {
   Trace *trace = rows->trace;
   const uint32_t ridge = trace->n_ridges++;
   const uint32_t tail = trace->facets[left].site[k];
   const uint32_t head = trace->facets[left].site[(k + 1) % 3];
-  const uint32_t right_k = trace_rows_edge (rows, right, head, tail);
 
-  assert (right_k < 3);
+  assert (trace->facets[right].site[right_k] == head);
   if (ridge >= rows->ridges_room)
     trace->ridges = memory_grow (trace->ridges, &rows->ridges_room, ridge + 1,
                                  sizeof *trace->ridges);
@@ -108,43 +126,56 @@ trace_rows_add_claim (TraceRows *rows, uint32_t site, uint32_t facet)
   if (claim >= rows->claims_room)
     trace->claims = memory_grow (trace->claims, &rows->claims_room, claim + 1,
                                  sizeof *trace->claims);
-  if (claim >= rows->claim_links_room)
-    rows->previous_claim
-        = memory_grow (rows->previous_claim, &rows->claim_links_room, claim + 1,
-                       sizeof *rows->previous_claim);
   trace->claims[claim]
       = (ClaimRow){ site, facet, { trace_rows_step (rows), STEP_NEVER } };
-  rows->previous_claim[claim] = rows->links[facet].last_claim;
-  rows->links[facet].last_claim = claim;
+  rows->links[facet].n_waiting += 1;
   rows->claim_of[site] = claim;
   rows->n_free -= 1;
 }
 
-void
-trace_rows_end_claim (TraceRows *rows, uint32_t claim)
+bool
+trace_rows_is_claimed (const TraceRows *rows, uint32_t site)
 {
-  ClaimRow *row = &rows->trace->claims[claim];
+  const Trace *trace = rows->trace;
+  const uint32_t claim = rows->claim_of[site];
 
-  row->span.death = trace_rows_step (rows);
-  rows->claim_of[row->site] = INDEX_NONE;
-  rows->n_free += 1;
+  return claim != INDEX_NONE && trace->inserted[site] == STEP_NEVER
+         && trace->facets[trace->claims[claim].facet].span.death == STEP_NEVER;
+}
+
+void
+trace_rows_end_claim (TraceRows *rows, uint32_t facet)
+{
+  rows->links[facet].n_waiting -= 1;
 }
 
 void
 trace_rows_end_facet (TraceRows *rows, uint32_t facet)
 {
   const FacetLinks *links = &rows->links[facet];
-  uint32_t claim, k;
+  const uint32_t step = trace_rows_step (rows);
+  uint32_t k;
 
-  rows->trace->facets[facet].span.death = trace_rows_step (rows);
+  rows->trace->facets[facet].span.death = step;
   for (k = 0; k < 3; k++) {
     Span *span = &rows->trace->ridges[links->ridge[k]].span;
 
     if (span->death == STEP_NEVER)
-      span->death = trace_rows_step (rows);
+      span->death = step;
   }
-  for (claim = links->last_claim; claim != INDEX_NONE;
-       claim = rows->previous_claim[claim])
-    if (rows->trace->claims[claim].span.death == STEP_NEVER)
-      trace_rows_end_claim (rows, claim);
+  rows->n_free += links->n_waiting;
+}
+
+void
+trace_rows_end_claims (TraceRows *rows)
+{
+  const Trace *trace = rows->trace;
+  uint32_t i;
+
+  for (i = 0; i < trace->n_claims; i++)
+    trace->claims[i].span.death
+        = trace->facets[trace->claims[i].facet].span.death;
+  for (i = 0; i < trace->n_rounds; i++)
+    trace->claims[rows->claim_of[trace->rounds[i].site]].span.death
+        = trace->rounds[i].select;
 }

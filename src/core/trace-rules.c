@@ -151,7 +151,7 @@ check_claim (const TraceRows *rows, const Event *event)
     return "a claim comes at a wrong place";
   if (!is_standing (trace, event->facet) || !is_distinct (trace, event->site))
     return "there is no such facet or site";
-  if (rows->claim_of[event->site] != INDEX_NONE
+  if (trace_rows_is_claimed (rows, event->site)
       || trace->inserted[event->site] != STEP_NEVER)
     return "the site is not free";
   return NULL;

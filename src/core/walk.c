@@ -16,8 +16,8 @@ side_of (const HullBuilder *b,
   const double area = (tail->x - p->x) * (head->y - p->y)
                       - (tail->y - p->y) * (head->x - p->x);
 
-  if (fabs (area) > b->orient_doubt)
-    return area > 0 ? 1 : -1;
+  if (fabs (area) > b->orient_doubt || b->is_whole)
+    return (area > 0) - (area < 0);
   return orient (tail, head, p);
 }
 

@@ -1,6 +1,7 @@
 /* hull-bench FILE ORDER REPEATS: times the batch engine on the sites of a
  * file, and prints one line of JSON. Timed is everything from points in
- * memory to facets with their neighbours: spatial sort, duplicates, hull. */
+ * memory to facets with their neighbours: spatial sort, duplicates, hull.
+ * HULL_BENCH_WITHOUT_AVX2 in the environment shows what AVX2 is worth. */
 #include "batch.h"
 #include "bench.h"
 #include "predicate.h"
@@ -91,6 +92,7 @@ main (int argc, char **argv)
   }
   if (!bench_read (argv[1], &sites))
     return 66;
+  batch_use_avx2 (getenv ("HULL_BENCH_WITHOUT_AVX2") == NULL);
   while (bench_next (&times)) {
     Batch *batch;
 
