@@ -141,6 +141,24 @@ test_without_the_grid_points_stay_where_they_are (void)
   g_assert_cmpfloat (ABS (at.y - point.y), <, 1e-4);
 }
 
+/* The views fit what was there before, however far away the others were. */
+static void
+test_undoing_a_replacement_fits_the_views (void)
+{
+  static const Site far[] = { { 1e4, 1e4 }, { 2e4, 1e4 }, { 1e4, 3e4 } };
+  g_autoptr (Session) session = new_session ();
+  const Extent before = session_get_look (session)->extent;
+
+  g_assert_true (session_replace_sites (session, far, 3, "paste", NULL));
+  g_assert_cmpfloat (session_get_look (session)->extent.radius, >, 1e3);
+  session_undo (session);
+  g_assert_cmpfloat (session_get_look (session)->extent.radius, ==,
+                     before.radius);
+  g_assert_cmpfloat (session_get_plane_camera (session)->zoom, ==, 1);
+  session_redo (session);
+  g_assert_cmpfloat (session_get_look (session)->extent.radius, >, 1e3);
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -153,6 +171,8 @@ static const struct {
     test_what_moves_up_stays_selected },
   { "/selection/a-move-out-of-range-is-refused",
     test_a_move_out_of_range_is_refused },
+  { "/selection/undoing-a-replacement-fits-the-views",
+    test_undoing_a_replacement_fits_the_views },
   { "/selection/without-the-grid-points-stay-where-they-are",
     test_without_the_grid_points_stay_where_they_are },
 };

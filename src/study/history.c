@@ -86,6 +86,16 @@ history_drop (History *history)
   g_ptr_array_set_size (history->edits, (int)history->n_done);
 }
 
+void
+history_mark_replaced (History *history)
+{
+  Edit *edit;
+
+  g_assert (history->n_done > 0);
+  edit = g_ptr_array_index (history->edits, history->n_done - 1);
+  edit->before.is_replaced = edit->after.is_replaced = TRUE;
+}
+
 /* Returns: the edit that would be undone, or NULL. */
 static const Edit *
 last_done (const History *history)

@@ -18,6 +18,7 @@ typedef struct Snapshot {
   Site *sites;
   guint32 *hues; /* of their cells */
   guint n_sites;
+  gboolean is_replaced; /* there are quite others on the other side */
 } Snapshot;
 
 History *history_new (void);
@@ -38,6 +39,9 @@ void history_amend (History *history, Snapshot after);
 
 /* Forgets the last edit, which has been taken back. */
 void history_drop (History *history);
+
+/* Says of the last edit that it replaced all sites. */
+void history_mark_replaced (History *history);
 
 /* Steps back (forward) and returns: the sites to show, borrowed, or NULL
  * when there is nothing to undo (redo). */

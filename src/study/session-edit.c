@@ -35,7 +35,7 @@ snapshot_of (const Run *run)
 
   return (Snapshot){ run_given (run),
                      g_memdup2 (run->hues, n_sites * sizeof *run->hues),
-                     n_sites };
+                     n_sites, FALSE };
 }
 
 void
@@ -149,6 +149,8 @@ session_replace_sites (Session *session,
   session_hold (session);
   session_end_edit (session);
   put_edit (session, run, g_strdup (edit));
+  if (!session->is_replaying)
+    history_mark_replaced (session->history);
   session_put_step (session, run->trace->n_events);
   session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
@@ -294,8 +296,7 @@ session_cancel_edit (Session *session)
   session_end_edit (session);
   session_put_run (session, run, step);
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
-  session_set_selection (
-      session, keep_object (session->look.selection, run->set->n_sites));
+  session_trim_selection (session, run->set->n_sites);
   session_fit_extent (session, FALSE);
   session_tell (session, CHANGED_HISTORY);
   session_release (session);
@@ -318,7 +319,11 @@ show_snapshot (Session *session, const Snapshot *snapshot)
                    run_same_place (session->run, session->step, run));
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
   session_trim_selection (session, session->run->set->n_sites);
-  session_fit_extent (session, FALSE);
+  /* What was looked at before says nothing about quite other sites. */
+  if (snapshot->is_replaced)
+    session_fit (session);
+  else
+    session_fit_extent (session, FALSE);
   session_tell (session, CHANGED_HISTORY);
   session_release (session);
   return TRUE;
