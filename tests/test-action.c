@@ -116,7 +116,7 @@ test_lesson_verbs_need_no_window (void)
   g_assert_cmpstr (verbs->str, ==,
                    "next-event back-event next-phase back-phase next-round "
                    "back-round goto show hide lift raise opacity reset-look "
-                   "measure order focus select camera theme "
+                   "measure view order focus select camera theme "
                    "add-site move-site remove-site sites ");
 }
 

@@ -30,6 +30,8 @@ site_state_text (SiteState state)
     return _ ("on the hull");
   case SITE_DUPLICATE:
     return _ ("a duplicate");
+  case SITE_IGNORED:
+    return _ ("inside, ignored");
   }
   return "";
 }
@@ -37,15 +39,13 @@ site_state_text (SiteState state)
 static char *
 name_site (Session *session, guint site)
 {
-  const Frame *frame = session_get_frame (session);
   g_autofree char *place = canvas_name_place (session, site);
 
   /* Translators: a site with its coordinates, and its state: s3 (0.5, 1), on
      the hull */
-  return g_strdup_printf (_ ("%s, %s"), place,
-                          site_state_text (site < frame->n_sites
-                                               ? frame->sites[site].state
-                                               : SITE_WAITING));
+  return g_strdup_printf (
+      _ ("%s, %s"), place,
+      site_state_text (session_get_site_state (session, site)));
 }
 
 static const char *

@@ -16,10 +16,11 @@
 
 typedef struct CanvasPrivate {
   Session *session;
+  guint pane;
   Scene scene;
   Theme theme;
   gboolean has_scene;
-  guint64 roles;            /* bit r: the scene has something of Role r */
+  gboolean roles[N_ROLES];  /* whether the scene has something of that role */
   cairo_surface_t *picture; /* the painted scene, or NULL: to be painted */
   gboolean is_rough;        /* the picture was painted without antialiasing */
   gboolean is_moving;
@@ -42,6 +43,27 @@ priv (Canvas *canvas)
   return canvas_get_instance_private (canvas);
 }
 
+void
+canvas_set_pane (Canvas *canvas, guint pane)
+{
+  priv (canvas)->pane = pane;
+}
+
+guint
+canvas_get_pane (Canvas *canvas)
+{
+  return priv (canvas)->pane;
+}
+
+gboolean
+canvas_is_shown (Canvas *canvas)
+{
+  const Pane kind
+      = HULL2VD_CANVAS_GET_CLASS (canvas)->is_space ? PANE_SPACE : PANE_PLANE;
+
+  return session_get_pane (priv (canvas)->session, priv (canvas)->pane) == kind;
+}
+
 Session *
 canvas_get_session (Canvas *canvas)
 {
@@ -57,8 +79,6 @@ canvas_get_theme (Canvas *canvas)
   return &p->theme;
 }
 
-G_STATIC_ASSERT (N_ROLES <= 64);
-
 /* The scene of the session as it is, built when first asked for. */
 static const Scene *
 canvas_get_scene (Canvas *canvas)
@@ -69,9 +89,9 @@ canvas_get_scene (Canvas *canvas)
     return &p->scene;
   HULL2VD_CANVAS_GET_CLASS (canvas)->build_scene (canvas, &p->scene);
   p->has_scene = TRUE;
-  p->roles = 0;
+  memset (p->roles, 0, sizeof p->roles);
   for (guint i = 0; i < p->scene.n_items; i++)
-    p->roles |= G_GUINT64_CONSTANT (1) << p->scene.items[i].role;
+    p->roles[p->scene.items[i].role] = TRUE;
   return &p->scene;
 }
 
@@ -106,7 +126,7 @@ gboolean
 canvas_has_role (Canvas *canvas, Role role)
 {
   canvas_get_scene (canvas);
-  return (priv (canvas)->roles & (G_GUINT64_CONSTANT (1) << role)) != 0;
+  return priv (canvas)->roles[role];
 }
 
 /* Where it is */
@@ -430,6 +450,7 @@ canvas_init (Canvas *canvas)
 {
   CanvasPrivate *p = priv (canvas);
 
+  p->pane = HULL2VD_CANVAS_GET_CLASS (canvas)->is_space ? 1 : 0;
   gtk_widget_set_can_focus (GTK_WIDGET (canvas), TRUE);
   canvas_input_attach (canvas, p->gestures, p->controllers);
   g_signal_connect (canvas, "notify::scale-factor",

@@ -56,6 +56,14 @@ struct _CanvasClass {
 void canvas_set_session (Canvas *canvas, Session *session);
 Session *canvas_get_session (Canvas *canvas);
 
+/* Which of the two pictures it is; the plane is the left one, space the right
+ * one, unless said otherwise. */
+void canvas_set_pane (Canvas *canvas, guint pane);
+guint canvas_get_pane (Canvas *canvas);
+
+/* Whether the session shows this kind of picture in this place. */
+gboolean canvas_is_shown (Canvas *canvas);
+
 /* Returns: the theme in the sizes that the session wants; good until the next
  *          call. */
 const Theme *canvas_get_theme (Canvas *canvas);

@@ -10,7 +10,8 @@ struct _CodePanel {
   GtkBox parent_instance;
   Session *session;
   GtkListBox *lines;
-  guint current; /* line, or INDEX_NONE */
+  const PseudocodeLine *shown; /* the listing */
+  guint current;               /* line, or INDEX_NONE */
 };
 
 G_DEFINE_TYPE (CodePanel, code_panel, GTK_TYPE_BOX)
@@ -35,27 +36,6 @@ mark (CodePanel *panel, guint line, gboolean is_current)
 }
 
 static void
-update (CodePanel *panel)
-{
-  const guint line = pseudocode_line (session_get_trace (panel->session),
-                                      session_get_step (panel->session));
-
-  if (line == panel->current)
-    return;
-  mark (panel, panel->current, FALSE);
-  mark (panel, line, TRUE);
-  panel->current = line;
-}
-
-static void
-on_changed (Session *session, guint changes, CodePanel *panel)
-{
-  (void)session;
-  if (changes & (CHANGED_SITES | CHANGED_STEP))
-    update (panel);
-}
-
-static void
 add_line (CodePanel *panel, const PseudocodeLine *line)
 {
   GtkWidget *row = gtk_list_box_row_new ();
@@ -71,16 +51,50 @@ add_line (CodePanel *panel, const PseudocodeLine *line)
   gtk_container_add (GTK_CONTAINER (panel->lines), row);
 }
 
+/* The listing of what is shown. */
+static void
+show_listing (CodePanel *panel)
+{
+  guint n_lines;
+  const PseudocodeLine *lines = session_get_lines (panel->session, &n_lines);
+
+  if (lines == panel->shown)
+    return;
+  while (gtk_list_box_get_row_at_index (panel->lines, 0) != NULL)
+    gtk_widget_destroy (
+        GTK_WIDGET (gtk_list_box_get_row_at_index (panel->lines, 0)));
+  for (guint i = 0; i < n_lines; i++)
+    add_line (panel, &lines[i]);
+  panel->shown = lines;
+  panel->current = INDEX_NONE;
+}
+
+static void
+update (CodePanel *panel)
+{
+  const guint line = session_get_line (panel->session);
+
+  show_listing (panel);
+  if (line == panel->current)
+    return;
+  mark (panel, panel->current, FALSE);
+  mark (panel, line, TRUE);
+  panel->current = line;
+}
+
+static void
+on_changed (Session *session, guint changes, CodePanel *panel)
+{
+  (void)session;
+  if (changes & (CHANGED_SITES | CHANGED_STEP))
+    update (panel);
+}
+
 void
 code_panel_set_session (CodePanel *panel, Session *session)
 {
-  uint32_t n_lines;
-  const PseudocodeLine *lines = pseudocode_lines (&n_lines);
-
   g_assert (panel->session == NULL);
   panel->session = g_object_ref (session);
-  for (guint i = 0; i < n_lines; i++)
-    add_line (panel, &lines[i]);
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), panel,
                            0);
   update (panel);

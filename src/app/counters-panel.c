@@ -40,7 +40,7 @@ ensure_rows (CountersPanel *panel, guint n_rows)
 static void
 update (CountersPanel *panel)
 {
-  g_autoptr (GPtrArray) laws = laws_of (session_get_frame (panel->session));
+  g_autoptr (GPtrArray) laws = session_get_laws (panel->session);
 
   ensure_rows (panel, laws->len);
   for (guint i = 0; i < panel->values->len; i++) {

@@ -1,5 +1,7 @@
 #include "export-dialog.h"
 
+#include "session-picture.h"
+
 #include <glib/gi18n.h>
 
 /* Sides of the sample, px. */
@@ -32,15 +34,6 @@ export_dialog_get_format (ExportDialog *dialog)
 }
 
 void
-export_take_look (Picture *picture, Session *session)
-{
-  picture->look = *session_get_look (session);
-  picture->look.hover = (Object){ OBJECT_NONE, 0 };
-  picture->camera = *session_get_camera (session);
-  picture->plane_camera = *session_get_plane_camera (session);
-}
-
-void
 export_dialog_fill (ExportDialog *dialog, Picture *picture, Theme *theme)
 {
   Session *session = dialog->session;
@@ -48,7 +41,7 @@ export_dialog_fill (ExportDialog *dialog, Picture *picture, Theme *theme)
   const char *name = gtk_combo_box_get_active_id (dialog->theme);
 
   picture_init (picture, get_view (dialog), session_get_frame (session));
-  export_take_look (picture, session);
+  session_picture_take (picture, session);
   picture->width = gtk_spin_button_get_value (dialog->width);
   picture->height = gtk_spin_button_get_value (dialog->height);
   picture->scale = gtk_spin_button_get_value (dialog->scale);

@@ -16,10 +16,6 @@ G_DECLARE_FINAL_TYPE (
 /* Responds with GTK_RESPONSE_ACCEPT when the picture is wanted. */
 ExportDialog *export_dialog_new (GtkWindow *parent, Session *session);
 
-/* Lets @picture look as the session does now, without what the pointer is on.
- */
-void export_take_look (Picture *picture, Session *session);
-
 /* Lets @picture, of the session's frame, be as the dialog says; @theme is its
  * theme and must last as long as it. */
 void export_dialog_fill (ExportDialog *dialog, Picture *picture, Theme *theme);

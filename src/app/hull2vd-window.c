@@ -189,9 +189,7 @@ connect_session (Hull2vdWindow *window)
   lesson_panel_set_session (window->lesson_panel, session);
   code_panel_set_session (window->code_panel, session);
   counters_panel_set_session (window->counters_panel, session);
-  legend_panel_set_views (window->legend_panel,
-                          HULL2VD_CANVAS (window->plane_view),
-                          HULL2VD_CANVAS (window->space_view));
+  legend_panel_set_session (window->legend_panel, session);
   space_note_attach (
       GTK_OVERLAY (gtk_widget_get_parent (GTK_WIDGET (window->space_view))),
       session);
@@ -247,6 +245,8 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (plane_hint);
   BIND (space_hint);
   BIND (plane_readout);
+  BIND (plane_title);
+  BIND (space_title);
   BIND (space_box);
   BIND (lesson_panel);
   BIND (code_panel);
@@ -290,6 +290,7 @@ hull2vd_window_init (Hull2vdWindow *window)
   window->session = session_new ();
   window->settings = settings_new ();
   connect_session (window);
+  window_panes_init (window);
   window_layout_init (window);
   window_theme_init (window);
   window_actions_init (window);

@@ -7,7 +7,8 @@
 
 struct _LegendPanel {
   GtkBox parent_instance;
-  Canvas *views[2];
+  Session *session;
+  GPtrArray *views; /* of Canvas */
   GtkGrid *grid;
   GtkWidget *rows[N_ROLES];
   GtkWidget *names[N_ROLES];
@@ -26,6 +27,7 @@ static const char *const role_texts[N_ROLES] = {
   [ROLE_LOWER] = N_ ("lower facet"),
   [ROLE_UPPER] = N_ ("upper facet"),
   [ROLE_VERTICAL] = N_ ("vertical facet"),
+  [ROLE_HULL_AREA] = N_ ("inside the hull"),
   [ROLE_VISIBLE] = N_ ("{p} sees: lower"),
   [ROLE_VISIBLE_UPPER] = N_ ("{p} sees: upper"),
   [ROLE_RETIRED] = N_ ("retired"),
@@ -52,6 +54,8 @@ static const char *const role_texts[N_ROLES] = {
   [ROLE_VISIBLE_EDGE] = N_ ("edge will go"),
   [ROLE_CONE_EDGE] = N_ ("new edge"),
   [ROLE_SEEN_EDGE] = N_ ("{p} is beyond it"),
+  [ROLE_HULL_EDGE] = N_ ("hull edge"),
+  [ROLE_EDGE_LINE] = N_ ("line of the edge"),
   [ROLE_HORIZON] = N_ ("horizon"),
   [ROLE_HORIZON_UPPER] = N_ ("horizon, upper"),
   [ROLE_LIFT] = N_ ("lift"),
@@ -63,24 +67,45 @@ static const char *const role_texts[N_ROLES] = {
   [ROLE_VORONOI_VERTEX_TIED] = N_ ("vertex of a tie"),
   [ROLE_VORONOI_VERTEX_DYING] = N_ ("vertex will go"),
   [ROLE_FOOT] = N_ ("site in the plane"),
+  [ROLE_HORIZON_CORNER] = N_ ("horizon"),
   [ROLE_SITE] = N_ ("on the hull"),
   [ROLE_SITE_WAITING] = N_ ("waits"),
   [ROLE_SITE_OUTSIDE] = N_ ("outside set of f"),
   [ROLE_SITE_APEX] = N_ ("new site {p}"),
   [ROLE_SITE_DUPLICATE] = N_ ("duplicate"),
+  [ROLE_SITE_IGNORED] = N_ ("inside, ignored"),
 };
+
+/* Of a hull in the plane, where they say something else. */
+static const char *const planar_texts[N_ROLES] = {
+  [ROLE_CONE] = N_ ("what it gains"),
+  [ROLE_SELECTED_FACET] = N_ ("edge e in hand"),
+  [ROLE_DROP] = N_ ("distance from e"),
+  [ROLE_VISIBLE_EDGE] = N_ ("{p} sees it"),
+  [ROLE_CONE_EDGE] = N_ ("cone"),
+  [ROLE_SITE_OUTSIDE] = N_ ("outside set of e"),
+};
+
+static const char *
+template_of (Role role, Session *session)
+{
+  return session_get_exhibit_kind (session) == EXHIBIT_PLANAR
+                 && planar_texts[role] != NULL
+             ? planar_texts[role]
+             : role_texts[role];
+}
 
 static char *
 text_of (Role role, Session *session)
 {
-  const Frame *frame = session_get_frame (session);
-  g_autoptr (GString) text = g_string_new (_ (role_texts[role]));
+  const guint apex = session_get_apex (session);
+  g_autoptr (GString) text = g_string_new (_ (template_of (role, session)));
   g_autofree char *site = NULL;
 
-  if (frame->round == INDEX_NONE)
+  if (apex == INDEX_NONE)
     site = g_strdup ("p");
   else
-    site = g_strdup_printf ("s%u", frame->trace->rounds[frame->round].site);
+    site = g_strdup_printf ("s%u", apex);
   g_string_replace (text, "{p}", site, 0);
   return g_string_free (g_steal_pointer (&text), FALSE);
 }
@@ -93,13 +118,26 @@ arrange (LegendPanel *panel)
   int place = 0;
 
   for (Role role = 0; role < N_ROLES; role++) {
-    if (role_texts[role] == NULL || !gtk_widget_get_visible (panel->rows[role]))
+    if (panel->rows[role] == NULL
+        || !gtk_widget_get_visible (panel->rows[role]))
       continue;
     gtk_container_child_set (GTK_CONTAINER (panel->grid), panel->rows[role],
                              "left-attach", place / n_rows, "top-attach",
                              place % n_rows, NULL);
     place++;
   }
+}
+
+static gboolean
+is_in_view (LegendPanel *panel, Role role)
+{
+  for (guint i = 0; i < panel->views->len; i++) {
+    Canvas *view = g_ptr_array_index (panel->views, i);
+
+    if (canvas_is_shown (view) && canvas_has_role (view, role))
+      return TRUE;
+  }
+  return FALSE;
 }
 
 static void
@@ -110,15 +148,15 @@ update (LegendPanel *panel)
     g_autofree char *text = NULL;
     gboolean is_shown;
 
-    if (role_texts[role] == NULL)
+    if (panel->rows[role] == NULL)
       continue;
-    is_shown = canvas_has_role (panel->views[0], role)
-               || canvas_has_role (panel->views[1], role);
+    is_shown = template_of (role, panel->session) != NULL
+               && is_in_view (panel, role);
     gtk_widget_set_visible (panel->rows[role], is_shown);
     if (!is_shown)
       continue;
     panel->n_shown++;
-    text = text_of (role, canvas_get_session (panel->views[0]));
+    text = text_of (role, panel->session);
     gtk_label_set_text (GTK_LABEL (panel->names[role]), text);
     gtk_widget_set_tooltip_text (panel->names[role], text);
   }
@@ -148,7 +186,7 @@ on_draw_swatch (GtkWidget *widget, cairo_t *cr, gpointer user)
 {
   LegendPanel *panel = HULL2VD_LEGEND_PANEL (
       gtk_widget_get_ancestor (widget, LEGEND_PANEL_TYPE));
-  const Theme *theme = canvas_get_theme (panel->views[0]);
+  const Theme *theme = canvas_get_theme (g_ptr_array_index (panel->views, 0));
   const Colour ground = theme->background;
 
   cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);
@@ -183,14 +221,19 @@ add_row (LegendPanel *panel, Role role)
 }
 
 void
-legend_panel_set_views (LegendPanel *panel, Canvas *plane, Canvas *space)
+legend_panel_set_session (LegendPanel *panel, Session *session)
 {
-  g_assert (panel->views[0] == NULL);
-  panel->views[0] = g_object_ref (plane);
-  panel->views[1] = g_object_ref (space);
+  g_assert (panel->session == NULL);
+  panel->session = g_object_ref (session);
   /* After the views, whose scenes are read. */
-  g_signal_connect_object (canvas_get_session (plane), "changed",
-                           G_CALLBACK (on_changed), panel, G_CONNECT_AFTER);
+  g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), panel,
+                           G_CONNECT_AFTER);
+}
+
+void
+legend_panel_add_view (LegendPanel *panel, Canvas *view)
+{
+  g_ptr_array_add (panel->views, g_object_ref (view));
   update (panel);
 }
 
@@ -199,8 +242,8 @@ legend_panel_dispose (GObject *object)
 {
   LegendPanel *panel = HULL2VD_LEGEND_PANEL (object);
 
-  g_clear_object (&panel->views[0]);
-  g_clear_object (&panel->views[1]);
+  g_clear_pointer (&panel->views, g_ptr_array_unref);
+  g_clear_object (&panel->session);
   G_OBJECT_CLASS (legend_panel_parent_class)->dispose (object);
 }
 
@@ -220,7 +263,8 @@ legend_panel_init (LegendPanel *panel)
 {
   gtk_widget_init_template (GTK_WIDGET (panel));
   panel->n_columns = 2;
+  panel->views = g_ptr_array_new_with_free_func (g_object_unref);
   for (Role role = 0; role < N_ROLES; role++)
-    if (role_texts[role] != NULL)
+    if (role_texts[role] != NULL || planar_texts[role] != NULL)
       add_row (panel, role);
 }

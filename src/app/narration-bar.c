@@ -41,7 +41,7 @@ phase_text (Phase phase)
 static char *
 place_text (Session *session)
 {
-  const guint n_events = session_get_trace (session)->n_events;
+  const guint n_events = session_get_n_steps (session);
   const guint step = session_get_step (session);
   const Place place = session_get_place (session);
   const char *phase = phase_text (place.phase);
@@ -99,7 +99,7 @@ update (NarrationBar *bar)
 {
   g_autofree char *sentence = get_sentence (bar);
   g_autofree char *markup
-      = narration_to_markup (sentence, session_get_frame (bar->session),
+      = narration_to_markup (sentence, session_get_apex (bar->session),
                              get_theme (bar), get_background (bar));
   g_autofree char *place = place_text (bar->session);
 

@@ -20,7 +20,7 @@ static const KeyWord key_words[] = {
 };
 
 typedef struct Markup {
-  const Frame *frame;
+  guint apex; /* site in hand, or INDEX_NONE */
   const Theme *theme;
   Colour background;
 } Markup;
@@ -68,14 +68,13 @@ append_bold (GString *result, const char *text, const Markup *markup, int role)
 
 /* The role whose colour @word gets, or -1: bold alone. */
 static int
-role_of (const char *word, const Frame *frame)
+role_of (const char *word, guint apex)
 {
   for (guint i = 0; i < G_N_ELEMENTS (key_words); i++)
     if (g_str_equal (word, _ (key_words[i].word)))
       return key_words[i].role;
-  if (word[0] == 's' && frame->round != INDEX_NONE
-      && g_ascii_strtoull (word + 1, NULL, 10)
-             == frame->trace->rounds[frame->round].site)
+  if (word[0] == 's' && apex != INDEX_NONE
+      && g_ascii_strtoull (word + 1, NULL, 10) == apex)
     return ROLE_SITE_APEX;
   return -1;
 }
@@ -86,14 +85,14 @@ on_word (const GMatchInfo *match, GString *result, gpointer user)
   const Markup *markup = user;
   g_autofree char *word = g_match_info_fetch (match, 0);
 
-  append_bold (result, word, markup, role_of (word, markup->frame));
+  append_bold (result, word, markup, role_of (word, markup->apex));
   return FALSE;
 }
 
 static GRegex *
 make_regex (void)
 {
-  g_autoptr (GString) pattern = g_string_new ("\\b(?:[sf][0-9]+");
+  g_autoptr (GString) pattern = g_string_new ("\\b(?:[sfe][0-9]+");
 
   for (guint i = 0; i < G_N_ELEMENTS (key_words); i++) {
     g_autofree char *word = g_regex_escape_string (_ (key_words[i].word), -1);
@@ -106,11 +105,11 @@ make_regex (void)
 
 char *
 narration_to_markup (const char *sentence,
-                     const Frame *frame,
+                     guint apex,
                      const Theme *theme,
                      Colour background)
 {
-  Markup markup = { frame, theme, background };
+  Markup markup = { apex, theme, background };
   g_autofree char *escaped = g_markup_escape_text (sentence, -1);
   g_autoptr (GRegex) regex = make_regex ();
   char *result = NULL;

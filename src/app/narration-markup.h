@@ -10,10 +10,10 @@
 
 G_BEGIN_DECLS
 
-/* Returns: (transfer full): Pango markup of @sentence, the narration of
- *          @frame, to be read on @background. */
+/* Returns: (transfer full): Pango markup of @sentence, a narration in
+ *          which site @apex is in hand, to be read on @background. */
 char *narration_to_markup (const char *sentence,
-                           const Frame *frame,
+                           guint apex,
                            const Theme *theme,
                            Colour background);
 

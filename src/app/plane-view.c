@@ -50,7 +50,7 @@ plane_view_build_scene (Canvas *canvas, Scene *scene)
 
   step_motion_apply (HULL2VD_PLANE_VIEW (canvas)->motion, &look);
   scene_look_fit (&look, &projection, INSET_PX);
-  scene_plane (scene, session_get_frame (session), &look);
+  session_fill_scene (session, canvas_get_pane (canvas), scene, &look);
 }
 
 static void
@@ -355,9 +355,12 @@ plane_view_key (Canvas *canvas, const GdkEventKey *event)
 static guint
 plane_view_count_objects (Canvas *canvas)
 {
-  const Frame *frame = session_get_frame (canvas_get_session (canvas));
+  Session *session = canvas_get_session (canvas);
+  const Frame *frame = session_get_frame (session);
 
-  return frame->n_sites + frame->delaunay.n_triangles;
+  return session_get_exhibit (session) != NULL
+             ? frame->n_sites
+             : frame->n_sites + frame->delaunay.n_triangles;
 }
 
 static Object

@@ -45,12 +45,14 @@ add_tick (MarkWalk *walk, guint step, const char *text, double room_px)
 
 /* A round is named where it begins. */
 static void
-add_rounds (MarkWalk *walk, const Trace *trace)
+add_rounds (MarkWalk *walk, Session *session)
 {
-  const double end_px = trace->n_events * walk->px_per_step;
+  const double end_px = session_get_n_steps (session) * walk->px_per_step;
+  guint step;
 
-  for (guint i = 0; i < trace->n_rounds; i++) {
-    const guint step = i == 0 ? trace->start_end : trace->rounds[i - 1].end;
+  for (guint i = 0;
+       session_find_step (session, (Place){ i + 1, PHASE_CHOOSE }, TRUE, &step);
+       i++) {
     g_autofree char *text
         = i == 0 ? g_strdup (_ ("round 1")) : g_strdup_printf ("%u", i + 1);
 
@@ -74,17 +76,16 @@ add_stops (Scrubber *scrubber)
 static void
 make_marks (Scrubber *scrubber)
 {
-  const Trace *trace = session_get_trace (scrubber->session);
-  const guint n = MAX (trace->n_events, 1);
+  Session *session = scrubber->session;
+  const guint n = MAX (session_get_n_steps (session), 1);
   MarkWalk walk = { GTK_SCALE (scrubber), scrubber->width / (double)n, -TICK_PX,
                     -WIDE_LABEL_PX };
 
   gtk_scale_clear_marks (GTK_SCALE (scrubber));
   add_tick (&walk, 0,
-            trace->is_flat || trace->n_rounds == 0 ? _ ("start")
-                                                   : _ ("simplex"),
+            session_get_n_rounds (session) == 0 ? _ ("start") : _ ("simplex"),
             WIDE_LABEL_PX);
-  add_rounds (&walk, trace);
+  add_rounds (&walk, session);
   gtk_scale_add_mark (GTK_SCALE (scrubber), n, GTK_POS_BOTTOM, _ ("hull"));
   add_stops (scrubber);
 }
@@ -129,7 +130,7 @@ on_value_changed (GtkRange *range, gpointer user)
 static void
 update (Scrubber *scrubber)
 {
-  const guint n_events = session_get_trace (scrubber->session)->n_events;
+  const guint n_events = session_get_n_steps (scrubber->session);
   const guint step = session_get_step (scrubber->session);
   GtkAdjustment *adjustment = gtk_range_get_adjustment (GTK_RANGE (scrubber));
 
@@ -180,16 +181,16 @@ stop_near (Scrubber *scrubber, double x, double px_per_step)
 static char *
 tooltip_at (Scrubber *scrubber, double x, double px_per_step)
 {
-  const Trace *trace = session_get_trace (scrubber->session);
+  const guint n_steps = session_get_n_steps (scrubber->session);
   const guint stop = stop_near (scrubber, x, px_per_step);
-  const guint step = (guint)CLAMP (x / px_per_step, 0, trace->n_events);
+  const guint step = (guint)CLAMP (x / px_per_step, 0, n_steps);
   Place place;
 
   if (stop != G_MAXUINT)
     return g_strdup_printf (
         _ ("Stop %u: %s"), stop + 1,
         lesson_stop (session_get_lesson (scrubber->session), stop)->title);
-  place = timeline_place (trace, step);
+  place = session_get_place_at (scrubber->session, step);
   if (place.round == 0)
     return g_strdup_printf (_ ("Event %u"), step);
   return g_strdup_printf (_ ("Event %u, round %u"), step, place.round);
@@ -209,8 +210,7 @@ scrubber_query_tooltip (
     return FALSE;
   gtk_range_get_range_rect (GTK_RANGE (scrubber), &trough);
   px_per_step
-      = trough.width
-        / (double)MAX (1, session_get_trace (scrubber->session)->n_events);
+      = trough.width / (double)MAX (1, session_get_n_steps (scrubber->session));
   text = tooltip_at (scrubber, x - trough.x, px_per_step);
   gtk_tooltip_set_text (tooltip, text);
   return TRUE;

@@ -36,7 +36,7 @@ space_view_build_scene (Canvas *canvas, Scene *scene)
   SceneLook look = *session_get_look (session);
 
   step_motion_apply (HULL2VD_SPACE_VIEW (canvas)->motion, &look);
-  scene_space (scene, session_get_frame (session), &look);
+  session_fill_scene (session, canvas_get_pane (canvas), scene, &look);
 }
 
 static void

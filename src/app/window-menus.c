@@ -42,6 +42,9 @@ static const MenuRow main_rows[] = {
 };
 
 static const MenuRow view_rows[] = {
+  { N_ ("Hull of the L_ifts"), "view::lifts" },
+  { N_ ("Hull in the Pla_ne"), "view::planar" },
+  { NULL, "" },
   { N_ ("_Hull"), "layer-hull" },
   { N_ ("_Paraboloid"), "layer-paraboloid" },
   { N_ ("_Delaunay Triangulation"), "layer-delaunay" },

@@ -4,7 +4,7 @@
 #include "document.h"
 #include "export-dialog.h"
 #include "file-dialogs.h"
-#include "picture.h"
+#include "session-picture.h"
 
 #include <errno.h>
 #include <glib/gi18n.h>
@@ -28,7 +28,7 @@ draw (Hull2vdWindow *window, Picture *picture, PictureFormat format)
 
   if (file == NULL)
     g_error ("open_memstream: %s", g_strerror (errno));
-  export_take_look (picture, window->session);
+  session_picture_take (picture, window->session);
   picture->title = lesson != NULL ? lesson->title : "Hull2VD";
   picture->description = sentence;
   is_drawn = picture_write (picture, session_get_frame (window->session),

@@ -52,6 +52,7 @@ struct _Hull2vdWindow {
   CoordinateEntry *coordinate_entry;
   GtkWidget *generate_dialog; /* NULL: not asked for yet */
   GtkWidget *space_window;    /* NULL: space is in this window */
+  GtkLabel *plane_title, *space_title;
   GtkWidget *space_box;
   LessonPanel *lesson_panel;
   CodePanel *code_panel;
@@ -68,6 +69,9 @@ void window_layout_init (Hull2vdWindow *window);
 void window_layout_save (Hull2vdWindow *window);
 gboolean window_layout_shows (Hull2vdWindow *window, WindowPanel panel);
 void window_layout_show (Hull2vdWindow *window, WindowPanel panel, gboolean on);
+
+/* window-panes.c: what the two pictures show. */
+void window_panes_init (Hull2vdWindow *window);
 
 /* window-actions.c: the registry as GActions. */
 void window_actions_init (Hull2vdWindow *window);

@@ -1,6 +1,8 @@
+#include "action.h"
 #include "cli.h"
+#include "command.h"
 #include "document.h"
-#include "picture.h"
+#include "session-picture.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -11,6 +13,7 @@
 typedef struct Options {
   char *view, *event, *round, *stop, *size, *scale, *output;
   gboolean is_transparent;
+  char **commands; /* of the lesson language, done first */
   char **paths;
   CliOrder order_options;
   Order order; /* for points; a lesson says its own */
@@ -35,6 +38,7 @@ options_clear (Options *options)
   cli_order_clear (&options->order_options);
   cli_look_clear (&options->look);
   g_strfreev (options->paths);
+  g_strfreev (options->commands);
 }
 
 static gboolean
@@ -175,6 +179,8 @@ options_parse (Options *options,
     ENTRY ("scale", 0, STRING, scale, N_ ("F times as large, all of it"), "F"),
     ENTRY ("transparent", 0, NONE, is_transparent, N_ ("without a background"),
            NULL),
+    ENTRY ("do", 0, STRING_ARRAY, commands,
+           N_ ("do this first, as in a lesson: “view planar”"), "COMMAND"),
     CLI_ORDER_ENTRIES (&options->order_options),
     CLI_LOOK_ENTRIES (&options->look),
     ENTRY ("output", 'o', FILENAME, output,
@@ -202,19 +208,24 @@ refuse_moment (const Options *options, const char *name, guint last)
 static gboolean
 goto_round (Session *session, const Options *options)
 {
-  const Trace *trace = session_get_trace (session);
+  const guint n_rounds = session_get_n_rounds (session);
+  guint step;
 
-  if (trace->is_flat) {
+  if (n_rounds == 0 && session_get_exhibit_kind (session) == EXHIBIT_LIFTS
+      && session_get_trace (session)->is_flat) {
     cli_say (_ ("%s: there are no rounds: all lifts lie in one plane, so "
                 "there is no first simplex"),
              options->paths[0]);
     return FALSE;
   }
-  if (options->number > trace->n_rounds)
-    return refuse_moment (options, "round", trace->n_rounds);
-  session_set_step (session, options->number == 0
-                                 ? trace->start_end
-                                 : trace->rounds[options->number - 1].end);
+  if (options->number > n_rounds)
+    return refuse_moment (options, "round", n_rounds);
+  if (session_find_step (session,
+                         options->number == 0
+                             ? (Place){ 0, PHASE_SIMPLEX }
+                             : (Place){ options->number, PHASE_HAND_OVER },
+                         FALSE, &step))
+    session_set_step (session, step);
   return TRUE;
 }
 
@@ -227,7 +238,8 @@ goto_moment (Session *session, const Options *options)
     return (options->number >= 1
             && session_set_stop (session, options->number - 1))
            || refuse_moment (options, "stop", session_get_n_stops (session));
-  session_last (session);
+  if (options->commands == NULL)
+    session_last (session);
   if (options->round != NULL)
     return goto_round (session, options);
   if (options->event == NULL)
@@ -251,10 +263,7 @@ write_picture (const CliCommand *command,
   Picture picture;
   CliOutput output;
 
-  picture_init (&picture, options->view_kind, frame);
-  picture.look = *session_get_look (session);
-  picture.camera = *session_get_camera (session);
-  picture.plane_camera = *session_get_plane_camera (session);
+  session_picture (&picture, session, options->view_kind);
   theme_init (&theme, session_get_appearance (session));
   picture.theme = &theme;
   picture.title = lesson == NULL ? name : lesson->title;
@@ -270,6 +279,31 @@ write_picture (const CliCommand *command,
   return CLI_CANNOT_WRITE;
 }
 
+/* One command as lessons have them, but for what they expect. */
+static gboolean
+do_command (Session *session, const char *text)
+{
+  g_autoptr (GError) error = NULL;
+  g_autoptr (GVariant) parameter = NULL;
+  g_autofree char *verb = NULL;
+
+  if (command_parse (text, &verb, &parameter, &error)
+      && action_run (session, verb, parameter, &error))
+    return TRUE;
+  cli_say (_ ("--do “%s”: %s"), text, error->message);
+  return FALSE;
+}
+
+static gboolean
+do_commands (Session *session, const Options *options)
+{
+  for (char **command = options->commands; command != NULL && *command != NULL;
+       command++)
+    if (!do_command (session, *command))
+      return FALSE;
+  return TRUE;
+}
+
 CliStatus
 cli_export (const CliCommand *command, int argc, char **argv)
 {
@@ -282,7 +316,7 @@ cli_export (const CliCommand *command, int argc, char **argv)
     session_set_order (session, &options.order);
     if (!document_open (session, options.paths[0], &error))
       status = cli_fail (error);
-    else if (goto_moment (session, &options)
+    else if (do_commands (session, &options) && goto_moment (session, &options)
              && apply_look (command, session, &options))
       status = write_picture (command, session, &options);
     else

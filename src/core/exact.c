@@ -11,10 +11,9 @@ enum {
   COMPARISON = 2 * DETERMINANT,
 };
 
-int
-exact_orient (const Site *a, const Site *b, const Site *c)
+static int
+cross_sign (const Vector v[2])
 {
-  const Vector v[2] = { vector_between (c, a), vector_between (c, b) };
   EXPANSION (area, EXPANSION_MINOR);
   int sign;
 
@@ -22,6 +21,22 @@ exact_orient (const Site *a, const Site *b, const Site *c)
     return sign;
   vector_cross (&v[0], &v[1], &area);
   return expansion_sign (&area);
+}
+
+int
+exact_orient (const Site *a, const Site *b, const Site *c)
+{
+  const Vector v[2] = { vector_between (c, a), vector_between (c, b) };
+
+  return cross_sign (v);
+}
+
+int
+exact_further_right (const Site *a, const Site *b, const Site *p, const Site *q)
+{
+  const Vector v[2] = { vector_between (a, b), vector_between (p, q) };
+
+  return cross_sign (v);
 }
 
 /* element = u² (v × w) */

@@ -12,6 +12,15 @@
 #include "site.h"
 
 int exact_orient (const Site *a, const Site *b, const Site *c);
+
+/* Which of p and q lies further to the right of the line from a to b.
+ *
+ * Returns: +1 when p does, -1 when q does, 0 when they tie. */
+int exact_further_right (const Site *a,
+                         const Site *b,
+                         const Site *p,
+                         const Site *q);
+
 int
 exact_lift_orient (const Site *a, const Site *b, const Site *c, const Site *d);
 int exact_lift_further (const Site plane[3], const Site *p, const Site *q);

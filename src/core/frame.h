@@ -21,6 +21,7 @@ typedef enum SiteState {
   SITE_APEX,      /* the site of the round in hand */
   SITE_INSERTED,  /* a vertex of the hull */
   SITE_DUPLICATE, /* equals an earlier site and is done */
+  SITE_IGNORED,   /* lies inside a hull in the plane; never on lifts */
 } SiteState;
 
 typedef struct FrameSite {

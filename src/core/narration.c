@@ -2,72 +2,13 @@
 
 #include "flat.h"
 #include "memory.h"
+#include "narration-template.h"
 #include "timeline.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* The marker of strings to translate. */
 #define N_(text) text
-
-/* What the braces of a template stand for. */
-typedef struct Parts {
-  uint32_t site;     /* {p} */
-  uint32_t other;    /* {q} */
-  uint32_t facet;    /* {f} */
-  uint32_t ridge[2]; /* {a} {b} */
-  uint32_t number;   /* {n} */
-} Parts;
-
-static int
-write_part (char part, const Parts *parts, char *text, size_t room)
-{
-  switch (part) {
-  case 'p':
-    return snprintf (text, room, "s%u", parts->site);
-  case 'q':
-    return snprintf (text, room, "s%u", parts->other);
-  case 'f':
-    return snprintf (text, room, "f%u", parts->facet);
-  case 'a':
-    return snprintf (text, room, "s%u", parts->ridge[0]);
-  case 'b':
-    return snprintf (text, room, "s%u", parts->ridge[1]);
-  default:
-    return snprintf (text, room, "%u", parts->number);
-  }
-}
-
-/* The length without a last character that may be cut in two. */
-static size_t
-whole_characters (const char *text, size_t n)
-{
-  while (n > 0 && ((unsigned char)text[n - 1] & 0xc0) == 0x80)
-    n--;
-  return n > 0 && (unsigned char)text[n - 1] >= 0xc0 ? n - 1 : n;
-}
-
-/* Copies a template, each {x} replaced by its part. A template that would not
- * fit ends early, on a whole character. */
-static void
-fill (const char *template, const Parts *parts, char text[NARRATION_ROOM])
-{
-  const char *from = template;
-  size_t n = 0;
-
-  while (*from != '\0' && n + 16 < NARRATION_ROOM) {
-    if (from[0] == '{' && from[1] != '\0' && from[2] == '}') {
-      n += (size_t)write_part (from[1], parts, text + n, NARRATION_ROOM - n);
-      from += 3;
-    } else {
-      text[n++] = *from++;
-    }
-  }
-  if (*from != '\0')
-    n = whole_characters (text, n);
-  text[n] = '\0';
-}
 
 static const char *
 start_template (const SiteSet *set)
@@ -253,12 +194,12 @@ event_template (const Trace *trace, const Event *event, uint32_t step)
   return "";
 }
 
-static Parts
+static NarrationParts
 parts_of (const Trace *trace, const Event *event, uint32_t step)
 {
-  Parts parts = { .site = event->site,
-                  .facet = event->facet,
-                  .ridge = { event->ridge[0], event->ridge[1] } };
+  NarrationParts parts = { .site = event->site,
+                           .facet = event->facet,
+                           .ridge = { event->ridge[0], event->ridge[1] } };
 
   if (event->kind == EVENT_DUPLICATE)
     parts.other = trace->set->first[event->site];
@@ -275,7 +216,7 @@ narration_write (const Trace *trace,
                  char text[NARRATION_ROOM])
 {
   const char *template;
-  Parts parts = { .number = trace->set->n_sites };
+  NarrationParts parts = { .number = trace->set->n_sites };
 
   if (step == 0) {
     template = start_template (trace->set);
@@ -285,5 +226,6 @@ narration_write (const Trace *trace,
     template = event_template (trace, event, step);
     parts = parts_of (trace, event, step);
   }
-  fill (translate != NULL ? translate (template) : template, &parts, text);
+  narration_fill (translate != NULL ? translate (template) : template, &parts,
+                  text);
 }

@@ -20,6 +20,7 @@ typedef enum Part {
 static const Part part_of[N_ROLES] = {
   [ROLE_SELECTED_FACET] = PART_CHOICE,
   [ROLE_DROP] = PART_CHOICE,
+  [ROLE_EDGE_LINE] = PART_CHOICE | PART_VISIBLE,
   [ROLE_LIFT_OUTSIDE] = PART_CHOICE,
   [ROLE_SITE_OUTSIDE] = PART_CHOICE,
   [ROLE_SITE_APEX] = PART_APEX,
@@ -36,6 +37,7 @@ static const Part part_of[N_ROLES] = {
   [ROLE_VORONOI_VERTEX_DYING] = PART_VISIBLE,
   [ROLE_HORIZON] = PART_HORIZON,
   [ROLE_HORIZON_UPPER] = PART_HORIZON,
+  [ROLE_HORIZON_CORNER] = PART_HORIZON,
   [ROLE_CONE] = PART_CONE,
   [ROLE_CONE_UPPER] = PART_CONE,
   [ROLE_CONE_EDGE] = PART_CONE,
@@ -87,7 +89,7 @@ parts_of_phase (Phase phase)
 }
 
 static uint32_t
-loud_parts (const Frame *frame, Focus focus)
+loud_parts (Phase phase, Focus focus)
 {
   switch (focus) {
   case FOCUS_VISIBLE:
@@ -100,7 +102,7 @@ loud_parts (const Frame *frame, Focus focus)
   case FOCUS_NONE:
     break;
   }
-  return parts_of_phase (frame->place.phase);
+  return parts_of_phase (phase);
 }
 
 static bool
@@ -164,16 +166,35 @@ apply_mask (SceneBuilder *builder)
 }
 
 void
+scene_builder_open (SceneBuilder *builder,
+                    Scene *scene,
+                    const SceneLook *look,
+                    uint32_t n_labels)
+{
+  memset (builder, 0, sizeof *builder);
+  builder->scene = scene;
+  builder->look = look;
+  scene->n_items = scene->n_points = scene->n_labels = 0;
+  if (scene->labels_room < n_labels)
+    scene->labels = memory_grow (scene->labels, &scene->labels_room, n_labels,
+                                 sizeof *scene->labels);
+}
+
+void
+scene_builder_round (SceneBuilder *builder, Phase phase)
+{
+  builder->is_round = true;
+  builder->parts = loud_parts (phase, builder->look->focus);
+}
+
+void
 scene_builder_init (SceneBuilder *builder,
                     Scene *scene,
                     const Frame *frame,
                     const SceneLook *look)
 {
-  /* No more labels than this; they must not move once they are pointed to. */
-  const uint32_t n_labels = frame->n_sites + 16 + 2 * look->n_answers;
-
-  memset (builder, 0, sizeof *builder);
-  builder->scene = scene;
+  scene_builder_open (builder, scene, look,
+                      frame->n_sites + 16 + 2 * look->n_answers);
   builder->frame = frame;
   builder->masked = *look;
   builder->look = look->mask != 0 ? &builder->masked : look;
@@ -183,12 +204,8 @@ scene_builder_init (SceneBuilder *builder,
     builder->event = &frame->trace->events[frame->step - 1];
   builder->is_round = is_round_in_hand (frame);
   if (!(look->mask & MASK_ROUND))
-    builder->parts = loud_parts (frame, look->focus);
+    builder->parts = loud_parts (frame->place.phase, look->focus);
   builder->ridge_of = find_ridges (frame);
-  scene->n_items = scene->n_points = scene->n_labels = 0;
-  if (scene->labels_room < n_labels)
-    scene->labels = memory_grow (scene->labels, &scene->labels_room, n_labels,
-                                 sizeof *scene->labels);
 }
 
 void
@@ -474,6 +491,8 @@ scene_site_role (SiteState state)
     return ROLE_SITE;
   case SITE_DUPLICATE:
     return ROLE_SITE_DUPLICATE;
+  case SITE_IGNORED:
+    return ROLE_SITE_IGNORED;
   }
   return ROLE_SITE;
 }

@@ -26,6 +26,17 @@ void scene_builder_init (SceneBuilder *builder,
                          const SceneLook *look);
 void scene_builder_clear (SceneBuilder *builder);
 
+/* The same for scenes without a frame: objects are sites alone. @n_labels: at
+ * most so many; they must not move once they are pointed to. Nothing to
+ * clear. */
+void scene_builder_open (SceneBuilder *builder,
+                         Scene *scene,
+                         const SceneLook *look,
+                         uint32_t n_labels);
+
+/* A round is in hand, and @phase says what is loud. */
+void scene_builder_round (SceneBuilder *builder, Phase phase);
+
 /* Adds an item of no points yet; points added after it are its own.
  *
  * Owns: the pointer is valid until the next item is added. */
@@ -75,6 +86,9 @@ uint32_t scene_hue (const SceneBuilder *builder, uint32_t site);
 
 /* Returns: the scene point of site number @site. */
 Point3 scene_at (const SceneBuilder *builder, uint32_t site, bool lifted);
+
+/* The frame of the plane view: the rectangle that it shows. */
+void scene_add_frame (SceneBuilder *builder);
 
 /* The Voronoi diagram in the plane, cut off at the rectangle box[0] …
  * box[1]. */

@@ -1,7 +1,7 @@
 #include "scene-builder.h"
 
-static void
-add_frame (SceneBuilder *builder)
+void
+scene_add_frame (SceneBuilder *builder)
 {
   const Point3 low = builder->look->low, high = builder->look->high;
   const Point3 corners[5]
@@ -57,7 +57,7 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
     scene_add_tangents (&builder, diagram);
   scene_add_furthest_cells (&builder, box);
   scene_add_contours (&builder, box);
-  add_frame (&builder);
+  scene_add_frame (&builder);
   scene_add_triangles (&builder);
   if (scene_has_layer (&builder, LAYER_VORONOI))
     scene_add_voronoi_edges (diagram);

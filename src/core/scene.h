@@ -59,6 +59,7 @@ typedef enum Role {
   ROLE_LOWER,         /* facets of the hull */
   ROLE_UPPER,
   ROLE_VERTICAL,
+  ROLE_HULL_AREA,        /* inside of a hull in the plane */
   ROLE_TRIANGLE,         /* Delaunay triangle; object is its facet */
   ROLE_VISIBLE,          /* visible facet, or its triangle: will go */
   ROLE_VISIBLE_UPPER,    /* visible facet that is not lower */
@@ -85,6 +86,8 @@ typedef enum Role {
   ROLE_CONTOUR,          /* plane view: equal heights, while lifts glide */
   ROLE_FREE_EDGE,        /* inside a circle group: any diagonal would do */
   ROLE_RIDGE,            /* of the hull in space */
+  ROLE_HULL_EDGE,        /* of a hull in the plane */
+  ROLE_EDGE_LINE,        /* all along the line of such an edge */
   ROLE_VISIBLE_EDGE,     /* ridge or Delaunay edge of a visible facet */
   ROLE_SEEN_EDGE, /* in the plane: hull edge of a visible vertical facet */
   ROLE_CONE_EDGE, /* ridge or Delaunay edge from the new site */
@@ -106,15 +109,17 @@ typedef enum Role {
   ROLE_VORONOI_VERTEX_DYING,
   ROLE_FURTHEST_VERTEX,
   ROLE_PREVIEW_SITE,
-  ROLE_FOOT, /* a site in the plane, in the space view */
+  ROLE_HORIZON_CORNER, /* of a hull in the plane */
+  ROLE_FOOT,           /* a site in the plane, in the space view */
   ROLE_FOOT_APEX,
   ROLE_SITE,
   ROLE_SITE_WAITING,
   ROLE_SITE_OUTSIDE,
   ROLE_SITE_APEX,
   ROLE_SITE_DUPLICATE,
-  ROLE_POWER,      /* no mark: the power beside a gap, as a number */
-  ROLE_FACET_NAME, /* no mark: the label of a facet in its middle */
+  ROLE_SITE_IGNORED, /* inside a hull in the plane */
+  ROLE_POWER,        /* no mark: the power beside a gap, as a number */
+  ROLE_FACET_NAME,   /* no mark: the label of a facet in its middle */
 } Role;
 
 #define N_ROLES (ROLE_FACET_NAME + 1)

@@ -28,34 +28,45 @@ picture_has_good_size (const Picture *picture)
          && height <= PICTURE_MOST;
 }
 
-static void
-paint_plane (const Picture *picture,
-             const Frame *frame,
-             cairo_t *cr,
-             double width)
+static Projection
+project (const Picture *picture, bool is_space, double width)
 {
-  const Projection projection = plane_camera_projection (
-      &picture->plane_camera, width, picture->height);
-  SceneLook look = picture->look;
-  Scene scene = { 0 };
-
-  scene_look_fit (&look, &projection, FRAME_INSET);
-  scene_plane (&scene, frame, &look);
-  painter_paint (cr, &scene, &projection, picture->theme, PAINTER_CLEAR);
-  scene_clear (&scene);
+  return is_space ? camera_projection (&picture->camera, width, picture->height)
+                  : plane_camera_projection (&picture->plane_camera, width,
+                                             picture->height);
 }
 
 static void
-paint_space (const Picture *picture,
-             const Frame *frame,
-             cairo_t *cr,
-             double width)
+fill (const Picture *picture,
+      const Frame *frame,
+      int pane,
+      const SceneLook *look,
+      Scene *scene)
 {
-  const Projection projection
-      = camera_projection (&picture->camera, width, picture->height);
+  if (picture->fill != NULL)
+    picture->fill (scene, pane, look, picture->fill_user);
+  else if (pane == 0)
+    scene_plane (scene, frame, look);
+  else
+    scene_space (scene, frame, look);
+}
+
+static void
+paint_pane (const Picture *picture,
+            const Frame *frame,
+            int pane,
+            cairo_t *cr,
+            double width)
+{
+  const bool is_space
+      = picture->fill != NULL ? picture->is_space[pane] : pane == 1;
+  const Projection projection = project (picture, is_space, width);
+  SceneLook look = picture->look;
   Scene scene = { 0 };
 
-  scene_space (&scene, frame, &picture->look);
+  if (!is_space)
+    scene_look_fit (&look, &projection, FRAME_INSET);
+  fill (picture, frame, pane, &look, &scene);
   painter_paint (cr, &scene, &projection, picture->theme, PAINTER_CLEAR);
   scene_clear (&scene);
 }
@@ -83,10 +94,7 @@ paint_both (const Picture *picture, const Frame *frame, cairo_t *cr)
     cairo_rectangle (cr, i * half, 0, half, picture->height);
     cairo_clip (cr);
     cairo_translate (cr, i * half, 0);
-    if (i == 0)
-      paint_plane (picture, frame, cr, half);
-    else
-      paint_space (picture, frame, cr, half);
+    paint_pane (picture, frame, i, cr, half);
     cairo_restore (cr);
   }
 }
@@ -98,10 +106,10 @@ picture_paint (const Picture *picture, const Frame *frame, cairo_t *cr)
     paint_background (picture, cr);
   switch (picture->view) {
   case PICTURE_PLANE:
-    paint_plane (picture, frame, cr, picture->width);
+    paint_pane (picture, frame, 0, cr, picture->width);
     break;
   case PICTURE_SPACE:
-    paint_space (picture, frame, cr, picture->width);
+    paint_pane (picture, frame, 1, cr, picture->width);
     break;
   case PICTURE_BOTH:
     paint_both (picture, frame, cr);

@@ -19,6 +19,13 @@ typedef enum PictureFormat {
   PICTURE_PNG,
 } PictureFormat;
 
+/* Fills the scene of a pane: 0 the left one, that of PICTURE_PLANE, 1 the
+ * other. The rectangle of @look is what the picture shows. */
+typedef void (*PictureFill) (Scene *scene,
+                             int pane,
+                             const SceneLook *look,
+                             void *user);
+
 typedef struct Picture {
   PictureView view;
   double width, height; /* px of the PNG, pt of the others, before scaling */
@@ -30,6 +37,9 @@ typedef struct Picture {
   const Theme *theme;
   const char *title;       /* may be NULL; SVG <title>, PDF metadata */
   const char *description; /* may be NULL: the narration */
+  PictureFill fill;        /* NULL: the plane and the space of the frame */
+  void *fill_user;
+  bool is_space[2]; /* what the panes show, when @fill fills them */
 } Picture;
 
 /* The largest side of a picture, after scaling. */

@@ -35,6 +35,7 @@ static const Row rows[N_ROLES] = {
                       .fill_alpha = 0.4,
                       .line = INK_VERTICAL_LINE,
                       .style = { .hatch = HATCH_CROSSED, .is_shaded = true } },
+  [ROLE_HULL_AREA] = { .fill = INK_LOWER, .fill_alpha = 0.22 },
   [ROLE_VISIBLE] = { .fill = INK_VISIBLE,
                      .fill_alpha = 0.12,
                      .line = INK_VISIBLE,
@@ -89,6 +90,9 @@ static const Row rows[N_ROLES] = {
   = { .line = INK_DELAUNAY,
       .style = { .width = 1.8, .dash = 6, .gap = 5, .casing = 3.8 } },
   [ROLE_RIDGE] = { .line = INK_RIDGE, .style = { .width = 1.5 } },
+  [ROLE_HULL_EDGE] = { .line = INK_RIDGE, .style = { .width = 3 } },
+  [ROLE_EDGE_LINE]
+  = { .line = INK_IN_HAND, .style = { .width = 1.3, .dash = 7, .gap = 5 } },
   [ROLE_VISIBLE_EDGE]
   = { .line = INK_VISIBLE, .style = { .width = 2.8, .casing = 5 } },
   [ROLE_SEEN_EDGE]
@@ -153,6 +157,11 @@ static const Row rows[N_ROLES] = {
       .line = INK_HOVER,
       .style
       = { .width = 2, .casing = 1.4, .mark = MARK_HOLLOW, .radius = 5 } },
+  [ROLE_HORIZON_CORNER]
+  = { .fill = INK_PAPER,
+      .line = INK_HORIZON,
+      .style
+      = { .width = 3.5, .casing = 1.8, .mark = MARK_HOLLOW, .radius = 10 } },
   [ROLE_FOOT]
   = { .line = INK_FOOT, .style = { .mark = MARK_DOT, .radius = 2.8 } },
   [ROLE_FOOT_APEX]
@@ -178,6 +187,8 @@ static const Row rows[N_ROLES] = {
       .line = INK_SITE,
       .style = { .width = 1.6, .mark = MARK_CROSSED, .radius = 7 } },
   [ROLE_POWER] = { .style = { .mark = MARK_NONE } },
+  [ROLE_SITE_IGNORED]
+  = { .line = INK_GROUND, .style = { .mark = MARK_DOT, .radius = 4 } },
   [ROLE_FACET_NAME] = { .style = { .mark = MARK_NONE } },
 };
 

@@ -1,6 +1,7 @@
 #include "panel.h"
 
 #include "prose.h"
+#include "session-picture.h"
 
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>
@@ -149,11 +150,7 @@ paint_picture (Session *session, cairo_t *cr, const cairo_rectangle_t *area)
   const Frame *frame = session_get_frame (session);
   Picture picture;
 
-  picture_init (&picture, PICTURE_BOTH, frame);
-  picture.look = *session_get_look (session);
-  picture.look.hover = (Object){ OBJECT_NONE, 0 };
-  picture.camera = *session_get_camera (session);
-  picture.plane_camera = *session_get_plane_camera (session);
+  session_picture (&picture, session, PICTURE_BOTH);
   picture.width = area->width * PICTURE_PX_PER_PT;
   picture.height = area->height * PICTURE_PX_PER_PT;
   cairo_save (cr);

@@ -50,6 +50,8 @@ ACTION_RUN (action_fit);
 ACTION_RUN (action_theme);
 ACTION_RUN (action_scale); /* data: ActionScale */
 
+ACTION_RUN (action_view);
+
 ACTION_RUN (action_order);
 ACTION_RUN (action_add_site);
 ACTION_RUN (action_move_site);
@@ -84,6 +86,7 @@ ACTION_STATE (action_state_stop); /* from 1; 0: no lesson */
 ACTION_STATE (action_state_n_stops);
 ACTION_STATE (action_state_n_sites);
 ACTION_STATE (action_state_order);
+ACTION_STATE (action_state_view);
 ACTION_STATE (action_state_play);
 ACTION_STATE (action_state_step_size);
 ACTION_STATE (action_state_speed);

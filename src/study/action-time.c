@@ -19,8 +19,8 @@ ACTION_RUN (action_next)
                         : step == session_get_n_steps (session))
     return refuse_position (_ ("there is nothing after the end"), error);
   if (action->data != 0)
-    session_set_step (session, timeline_next (session_get_trace (session), step,
-                                              (Grain)(action->data - 1)));
+    session_set_step (session,
+                      session_step_after (session, (Grain)(action->data - 1)));
   return TRUE;
 }
 
@@ -31,8 +31,8 @@ ACTION_RUN (action_back)
   if (action->data == 0 ? !session_back (session) : step == 0)
     return refuse_position (_ ("there is nothing before the start"), error);
   if (action->data != 0)
-    session_set_step (session, timeline_back (session_get_trace (session), step,
-                                              (Grain)(action->data - 1)));
+    session_set_step (session,
+                      session_step_before (session, (Grain)(action->data - 1)));
   return TRUE;
 }
 
@@ -74,12 +74,33 @@ ACTION_RUN (action_speed)
   return TRUE;
 }
 
+static gboolean
+find_in_exhibit (Session *session,
+                 const char *text,
+                 guint *step,
+                 GError **error)
+{
+  gboolean is_before;
+  Place place;
+
+  if (!position_read (text, &place, &is_before, error))
+    return FALSE;
+  if (session_find_step (session, place, is_before, step))
+    return TRUE;
+  g_set_error (error, ACTION_ERROR, ACTION_ERROR_POSITION,
+               _ ("there is no “%s”: the last round is %u"), text,
+               session_get_n_rounds (session));
+  return FALSE;
+}
+
 ACTION_RUN (action_goto)
 {
+  const char *text = g_variant_get_string (parameter, NULL);
   guint step;
 
-  if (!position_find (session_get_trace (session),
-                      g_variant_get_string (parameter, NULL), &step, error))
+  if (session_get_exhibit (session) != NULL
+          ? !find_in_exhibit (session, text, &step, error)
+          : !position_find (session_get_trace (session), text, &step, error))
     return FALSE;
   session_set_step (session, step);
   return TRUE;

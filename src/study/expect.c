@@ -1,7 +1,6 @@
 #include "expect.h"
 
 #include "certify.h"
-#include "narration.h"
 #include "quantity.h"
 #include "words.h"
 
@@ -15,14 +14,14 @@ typedef enum ValueKind {
   VALUE_TEXT,  /* "contains" and the rest of the line */
 } ValueKind;
 
-/* The quantities come first. */
+/* The quantities come first, the counters of exhibits last. */
 typedef enum Key {
   KEY_PHASE = N_QUANTITIES,
   KEY_DELAUNAY,
   KEY_NARRATION,
 } Key;
 
-#define N_KEYS (KEY_NARRATION + 1)
+#define N_FRAME_KEYS (KEY_NARRATION + 1)
 
 /* Returns: the name of a key. */
 static const char *
@@ -33,17 +32,28 @@ key_name (guint key)
           [KEY_DELAUNAY - N_QUANTITIES] = "delaunay",
           [KEY_NARRATION - N_QUANTITIES] = "narration" };
 
+  if (key >= N_FRAME_KEYS)
+    return exhibit_count_names ()[key - N_FRAME_KEYS];
   return key < N_QUANTITIES ? quantity_name ((Quantity)key)
                             : others[key - N_QUANTITIES];
+}
+
+static guint
+n_keys (void)
+{
+  return N_FRAME_KEYS + g_strv_length ((char **)exhibit_count_names ());
 }
 
 const char *const *
 expect_keys (void)
 {
-  static const char *keys[N_KEYS + 1];
+  static const char **keys;
 
-  for (guint i = 0; i < N_KEYS; i++)
-    keys[i] = key_name (i);
+  if (keys == NULL) {
+    keys = g_new0 (const char *, n_keys () + 1);
+    for (guint i = 0; i < n_keys (); i++)
+      keys[i] = key_name (i);
+  }
   return keys;
 }
 
@@ -59,7 +69,7 @@ typedef struct Expect {
 static ValueKind
 value_kind (guint key)
 {
-  if (key < N_QUANTITIES)
+  if (key < N_QUANTITIES || key >= N_FRAME_KEYS)
     return VALUE_NUMBER;
   if (key == KEY_PHASE)
     return VALUE_PHASE;
@@ -79,7 +89,7 @@ parse_key (const char *text, Expect *expect)
 {
   const gsize length = strcspn (text, " \t");
 
-  for (expect->key = 0; expect->key < N_KEYS; expect->key++)
+  for (expect->key = 0; expect->key < n_keys (); expect->key++)
     if (strlen (key_name (expect->key)) == length
         && strncmp (key_name (expect->key), text, length) == 0)
       return TRUE;
@@ -174,28 +184,37 @@ check_valid (Session *session, char **actual)
 static gboolean
 check_narration (Session *session, const char *text, char **actual)
 {
-  char sentence[NARRATION_ROOM];
+  *actual = session_narrate_in_english (session);
+  return strstr (*actual, text) != NULL;
+}
 
-  narration_write (session_get_trace (session), session_get_step (session),
-                   NULL, sentence);
-  *actual = g_strdup (sentence);
-  return strstr (sentence, text) != NULL;
+static gboolean
+check_number (Session *session,
+              const char *key,
+              guint64 expected,
+              char **actual)
+{
+  guint number;
+
+  if (!session_count (session, key, &number)) {
+    *actual = g_strdup ("no such number in what is shown");
+    return FALSE;
+  }
+  *actual = g_strdup_printf ("%u", number);
+  return number == expected;
 }
 
 gboolean
 expect_check (Session *session, const char *text, char **actual)
 {
   Expect expect;
-  guint number;
 
   if (!parse (text, &expect, NULL))
     g_return_val_if_reached (FALSE);
 
   switch (value_kind (expect.key)) {
   case VALUE_NUMBER:
-    number = quantity_value (session_get_frame (session), (Quantity)expect.key);
-    *actual = g_strdup_printf ("%u", number);
-    return number == expect.number;
+    return check_number (session, key_name (expect.key), expect.number, actual);
   case VALUE_PHASE:
     *actual = g_strdup (phase_name (session_get_place (session).phase));
     return session_get_place (session).phase == expect.phase;

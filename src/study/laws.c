@@ -134,9 +134,26 @@ add_waiting (GPtrArray *laws, const Frame *frame)
 }
 
 GPtrArray *
+laws_new (void)
+{
+  return g_ptr_array_new_with_free_func (law_free);
+}
+
+void
+laws_add (
+    GPtrArray *laws, const char *key, const char *name, const char *format, ...)
+{
+  va_list values;
+
+  va_start (values, format);
+  add (laws, key, name, g_strdup_vprintf (format, values));
+  va_end (values);
+}
+
+GPtrArray *
 laws_of (const Frame *frame)
 {
-  GPtrArray *laws = g_ptr_array_new_with_free_func (law_free);
+  GPtrArray *laws = laws_new ();
 
   add_sites (laws, frame);
   if (frame->counts.facets > 0)

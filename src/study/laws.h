@@ -22,6 +22,14 @@ GPtrArray *laws_of (const Frame *frame);
  * but that of the sites. */
 void laws_hide (GPtrArray *laws);
 
+/* For laws of other things than frames: an empty array, and a row more. */
+GPtrArray *laws_new (void);
+void laws_add (GPtrArray *laws,
+               const char *key,
+               const char *name,
+               const char *format,
+               ...) G_GNUC_PRINTF (4, 5);
+
 G_END_DECLS
 
 #endif

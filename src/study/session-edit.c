@@ -151,7 +151,7 @@ session_replace_sites (Session *session,
   put_edit (session, run, g_strdup (edit));
   if (!session->is_replaying)
     history_mark_replaced (session->history);
-  session_put_step (session, run->trace->n_events);
+  session_put_step (session, session_get_n_steps (session));
   session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
   session_fit (session);

@@ -10,6 +10,8 @@ session_get_state (Session *session)
   state->run = run_ref (session->run);
   state->step = session->step;
   state->look = session->look;
+  state->exhibit_kind = session->exhibit_kind;
+  state->exhibit_step = session->exhibit_step;
   state->camera = session->camera;
   state->told_theme = session->told_theme;
   return state;
@@ -50,6 +52,7 @@ session_put_state (Session *session,
 {
   session_hold (session);
   session_end_edit (session);
+  session_put_exhibit (session, EXHIBIT_LIFTS, session->step);
   if (session->run == state->run) {
     session_put_step (session, state->step);
   } else {
@@ -58,6 +61,8 @@ session_put_state (Session *session,
     plane_camera_init (&session->plane_camera);
     session_tell (session, CHANGED_CAMERA);
   }
+  if (state->exhibit_kind != EXHIBIT_LIFTS)
+    session_put_exhibit (session, state->exhibit_kind, state->exhibit_step);
   put_look (session, from, state);
   session->look.extent = state->look.extent;
   session_release (session);
@@ -169,10 +174,16 @@ session_set_stop (Session *session, guint stop)
 gboolean
 session_get_stop_step (Session *session, guint stop, guint *step)
 {
-  if (stop >= session_get_n_stops (session)
-      || session_state_of (session, stop)->run != session->run)
+  const StopState *state;
+
+  if (stop >= session_get_n_stops (session))
     return FALSE;
-  *step = session_state_of (session, stop)->step;
+  state = session_state_of (session, stop);
+  if (state->run != session->run
+      || state->exhibit_kind != session->exhibit_kind)
+    return FALSE;
+  *step = state->exhibit_kind == EXHIBIT_LIFTS ? state->step
+                                               : state->exhibit_step;
   return TRUE;
 }
 
@@ -186,9 +197,9 @@ stop_ahead (Session *session)
 
   while (session_get_stop_step (session, stop, &here)
          && session_get_stop_step (session, stop + 1, &next) && here <= next
-         && next <= session->step) {
+         && next <= session_get_step (session)) {
     stop += 1;
-    if (next == session->step)
+    if (next == session_get_step (session))
       break;
   }
   return stop;
@@ -202,7 +213,7 @@ stop_behind (Session *session)
 
   while (stop > 0 && session_get_stop_step (session, stop, &here)
          && session_get_stop_step (session, stop - 1, &previous)
-         && previous <= here && session->step < here)
+         && previous <= here && session_get_step (session) < here)
     stop -= 1;
   return stop;
 }
@@ -213,11 +224,11 @@ session_follow_step (Session *session, guint old_step)
   guint stop;
 
   if (session->lesson == NULL || session->is_replaying
-      || session->step == old_step)
+      || session_get_step (session) == old_step)
     return;
   session_question_follow_step (session);
-  stop
-      = session->step > old_step ? stop_ahead (session) : stop_behind (session);
+  stop = session_get_step (session) > old_step ? stop_ahead (session)
+                                               : stop_behind (session);
   if (stop == session->stop)
     return;
   put_look (session, session_state_of (session, session->stop),

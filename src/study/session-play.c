@@ -150,6 +150,8 @@ find_question (Player *player)
   Session *session = player->session;
   GError *reason = NULL;
 
+  /* Questions are about the hull of the lifts. */
+  session_put_exhibit (session, EXHIBIT_LIFTS, session->step);
   if (!check_few_asked (player, &reason) || !generate (player, &reason)
       || !question_locate (stop->question, session_get_trace (session),
                            &stop->occasion, &reason)
@@ -304,6 +306,6 @@ lesson_fill_states (Lesson *lesson, LessonFaults *faults)
 
     play_stop (&player, i);
     stop->state = session_get_state (session);
-    stop->step = stop->state->step;
+    stop->step = session_get_step (session);
   }
 }

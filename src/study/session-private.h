@@ -17,6 +17,10 @@ struct _Session {
   Frame frame;
   gboolean has_frame; /* frame is that of run and step */
 
+  ExhibitKind exhibit_kind;
+  Exhibit *exhibit; /* of the run; NULL: the lifts, or not made yet */
+  guint exhibit_step;
+
   SceneLook look;
   GArray *selected; /* guint32: what look.selected points to */
   gboolean is_free; /* the mouse does not snap */
@@ -61,6 +65,12 @@ void session_release (Session *session);
 /* Puts another run in place, at @step. Takes @run. */
 void session_put_run (Session *session, Run *run, guint step);
 void session_put_step (Session *session, guint step);
+
+/* The run has become another: so does the exhibit of it, at the same place. */
+void session_renew_exhibit (Session *session);
+
+/* Shows another exhibit, or the lifts, at @step. */
+void session_put_exhibit (Session *session, ExhibitKind kind, guint step);
 
 /* Fits the extent to the sites; without @anyway only when they are not all
  * inside it. */

@@ -64,6 +64,7 @@ session_finalize (GObject *object)
 
   if (session->has_frame)
     frame_clear (&session->frame);
+  exhibit_free (session->exhibit);
   g_clear_pointer (&session->run, run_unref);
   g_clear_pointer (&session->drag_run, run_unref);
   g_clear_pointer (&session->history, history_free);
@@ -135,6 +136,7 @@ session_put_run (Session *session, Run *run, guint step)
   session->look.hues = run->hues;
   session->look.n_hues = run->set->n_sites;
   session->step = MIN (step, run->trace->n_events);
+  session_renew_exhibit (session);
   /* The extent is in units of SiteSet.sites: keep it where it was. */
   extent->centre.x = ldexp (extent->centre.x, shift);
   extent->centre.y = ldexp (extent->centre.y, shift);
@@ -147,12 +149,16 @@ session_put_run (Session *session, Run *run, guint step)
 void
 session_put_step (Session *session, guint step)
 {
-  step = MIN (step, session->run->trace->n_events);
-  if (step == session->step)
+  step = MIN (step, session_get_n_steps (session));
+  if (step == session_get_step (session))
     return;
-  drop_frame (session);
-  session->step = step;
-  session_question_refresh (session);
+  if (session->exhibit_kind != EXHIBIT_LIFTS) {
+    session->exhibit_step = step;
+  } else {
+    drop_frame (session);
+    session->step = step;
+    session_question_refresh (session);
+  }
   session_tell (session, CHANGED_STEP);
 }
 
@@ -168,22 +174,10 @@ session_get_trace (Session *session)
   return session->run->trace;
 }
 
-guint
-session_get_step (Session *session)
-{
-  return session->step;
-}
-
-guint
-session_get_n_steps (Session *session)
-{
-  return session->run->trace->n_events;
-}
-
 void
 session_set_step (Session *session, guint step)
 {
-  const guint old_step = session->step;
+  const guint old_step = session_get_step (session);
 
   session_hold (session);
   session_put_step (session, step);
@@ -198,12 +192,6 @@ session_get_frame (Session *session)
     frame_init (&session->frame, session->run->trace, session->step);
   session->has_frame = TRUE;
   return &session->frame;
-}
-
-Place
-session_get_place (Session *session)
-{
-  return timeline_place (session->run->trace, session->step);
 }
 
 StepSize
@@ -248,7 +236,7 @@ stop_after (Session *session)
   guint step;
 
   return session_get_stop_step (session, session->stop, &step)
-                 && session->step < step
+                 && session_get_step (session) < step
              ? session->stop
              : session->stop + 1;
 }
@@ -261,7 +249,7 @@ stop_before (Session *session)
   guint step;
 
   return session_get_stop_step (session, session->stop, &step)
-                 && session->step <= step
+                 && session_get_step (session) <= step
              ? session->stop - 1
              : session->stop;
 }
@@ -272,7 +260,7 @@ session_can_next (Session *session)
   return goes_by_stops (session)
              ? session_question_is_open (session)
                    || stop_after (session) < session_get_n_stops (session)
-             : session->step < session->run->trace->n_events;
+             : session_get_step (session) < session_get_n_steps (session);
 }
 
 gboolean
@@ -280,7 +268,7 @@ session_can_back (Session *session)
 {
   return goes_by_stops (session)
              ? stop_before (session) < session_get_n_stops (session)
-             : session->step > 0;
+             : session_get_step (session) > 0;
 }
 
 gboolean
@@ -291,8 +279,8 @@ session_next (Session *session)
            || session_set_stop (session, stop_after (session));
   if (!session_can_next (session))
     return FALSE;
-  session_set_step (session, timeline_next (session->run->trace, session->step,
-                                            grain_of (session->step_size)));
+  session_set_step (
+      session, session_step_after (session, grain_of (session->step_size)));
   return TRUE;
 }
 
@@ -303,8 +291,8 @@ session_back (Session *session)
     return session_set_stop (session, stop_before (session));
   if (!session_can_back (session))
     return FALSE;
-  session_set_step (session, timeline_back (session->run->trace, session->step,
-                                            grain_of (session->step_size)));
+  session_set_step (
+      session, session_step_before (session, grain_of (session->step_size)));
   return TRUE;
 }
 
@@ -324,7 +312,7 @@ session_last (Session *session)
   session_hold (session);
   if (session->lesson != NULL)
     session_set_stop (session, session_get_n_stops (session) - 1);
-  session_put_step (session, session->run->trace->n_events);
+  session_put_step (session, session_get_n_steps (session));
   session_release (session);
 }
 
@@ -394,18 +382,6 @@ static const char *
 translate (const char *english)
 {
   return _ (english);
-}
-
-char *
-session_narrate (Session *session)
-{
-  char text[NARRATION_ROOM];
-
-  if (session_is_asking (session))
-    return g_strdup (_ ("What happens here? Answer the question, or go on to "
-                        "see."));
-  narration_write (session->run->trace, session->step, translate, text);
-  return g_strdup (text);
 }
 
 char *

@@ -14,6 +14,7 @@
 
 #include "appearance.h"
 #include "exercise.h"
+#include "exhibit.h"
 #include "lesson.h"
 #include "scene.h"
 
@@ -32,6 +33,8 @@ typedef enum SessionChange {
   CHANGED_APPEARANCE = 1 << 7, /* theme and sizes */
   CHANGED_QUESTION = 1 << 8,   /* what is answered, and how right it is; another
                                   question is CHANGED_LESSON */
+  CHANGED_EXHIBIT = 1 << 9, /* what is shown of the sites; then sites and step
+ are said to have changed as well */
 } SessionChange;
 
 /* What "next" means. */
@@ -125,8 +128,18 @@ guint session_get_n_steps (Session *session); /* the last step */
 void session_set_step (Session *session, guint step);
 const Frame *session_get_frame (Session *session);
 Place session_get_place (Session *session);
+Place session_get_place_at (Session *session, guint step);
+guint session_get_n_rounds (Session *session);
 StepSize session_get_step_size (Session *session);
 void session_set_step_size (Session *session, StepSize size);
+
+/* Steps by @grain; the last step (step 0) when there is none. */
+guint session_step_after (Session *session, Grain grain);
+guint session_step_before (Session *session, Grain grain);
+
+/* As timeline_find(), of what is shown. */
+gboolean
+session_find_step (Session *session, Place place, gboolean before, guint *step);
 
 /* Steps by the step size.
  *
@@ -151,6 +164,50 @@ void session_tick (Session *session);         /* stops playing at the end */
 
 #define SPEED_LEAST 0.25
 #define SPEED_MOST 8.0
+
+/* What is shown: the hull of the lifts, or another exhibit of the same sites.
+ * Time, sentence and place are those of what is shown; the trace and the
+ * frame stay those of the lifts, at the step where they were left. Another
+ * exhibit begins at its end. */
+ExhibitKind session_get_exhibit_kind (Session *session);
+void session_set_exhibit_kind (Session *session, ExhibitKind kind);
+Exhibit *session_get_exhibit (Session *session); /* NULL: the lifts */
+
+/* The two pictures, 0 on the left and 1 on the right. */
+typedef enum Pane {
+  PANE_NONE,
+  PANE_PLANE,
+  PANE_SPACE,
+} Pane;
+
+#define N_PANES 2
+
+Pane session_get_pane (Session *session, guint pane);
+
+/* Returns: (transfer full): what it shows: "Plane". */
+char *session_get_pane_title (Session *session, guint pane);
+
+/* Fills @scene with what a picture shows, for @look, which is the session's
+ * with the rectangle that the picture shows. */
+void session_fill_scene (Session *session,
+                         guint pane,
+                         Scene *scene,
+                         const SceneLook *look);
+
+/* Returns: what a site is at the step of what is shown. */
+SiteState session_get_site_state (Session *session, guint site);
+
+/* Returns: the site of the round in hand or of the last one, or INDEX_NONE. */
+guint session_get_apex (Session *session);
+
+/* The listing, and its line at the step: INDEX_NONE for none. */
+const PseudocodeLine *session_get_lines (Session *session, guint *n_lines);
+guint session_get_line (Session *session);
+
+/* The number that expect calls @key: of what is shown; else of the lifts.
+ *
+ * Returns: FALSE: there is no such number now. */
+gboolean session_count (Session *session, const char *key, guint *count);
 
 /* The look. Its extent is kept while sites are moved, and while they are
  * added inside it; session_fit() and new sites fit it. */
@@ -262,6 +319,10 @@ gboolean session_play_stop (Session *session,
 
 /* The sentence for the step, translated; free with g_free(). */
 char *session_narrate (Session *session);
+char *session_narrate_in_english (Session *session);
+
+/* Returns: (transfer full) (element-type Law): the counters of the step. */
+GPtrArray *session_get_laws (Session *session);
 
 /* The sentence of LAYER_WHY on the facet and the site that a person asks
  * about, translated; free with g_free().

@@ -10,8 +10,10 @@ G_BEGIN_DECLS
 
 struct StopState {
   Run *run;
-  guint step;
-  SceneLook look; /* without what the pointer makes of it */
+  guint step; /* of the lifts' trace */
+  ExhibitKind exhibit_kind;
+  guint exhibit_step; /* of another exhibit */
+  SceneLook look;     /* without what the pointer makes of it */
   Camera camera;
   int told_theme; /* ThemeKind, or -1: the lesson tells none */
 };

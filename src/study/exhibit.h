@@ -1,0 +1,74 @@
+/* Exhibits: what a session can show of its sites instead of the hull of
+ * their lifts. Each follows from the sites alone, has steps of its own, and
+ * is played by the same transport.
+ *
+ *   Exhibit *exhibit = exhibit_new (EXHIBIT_PLANAR, run);
+ *
+ *   exhibit_course (exhibit)->n_steps
+ *   exhibit_scene (exhibit, step, &scene, &look);
+ *   exhibit_free (exhibit);
+ */
+#ifndef EXHIBIT_H
+#define EXHIBIT_H
+
+#include "planar-frame.h"
+#include "run.h"
+
+G_BEGIN_DECLS
+
+typedef enum ExhibitKind {
+  EXHIBIT_LIFTS,  /* the hull of the lifts: the session's own trace and frame;
+                     there is no Exhibit of it */
+  EXHIBIT_PLANAR, /* QuickHull in the plane, step by step */
+} ExhibitKind;
+
+#define N_EXHIBITS (EXHIBIT_PLANAR + 1)
+
+/* "lifts", "planar" */
+const char *exhibit_kind_name (ExhibitKind kind);
+gboolean exhibit_kind_parse (const char *name, ExhibitKind *kind);
+
+typedef struct Exhibit Exhibit;
+
+/* Owns: keeps a reference to @run. */
+Exhibit *exhibit_new (ExhibitKind kind, Run *run);
+void exhibit_free (Exhibit *exhibit);
+
+ExhibitKind exhibit_kind (const Exhibit *exhibit);
+const Course *exhibit_course (const Exhibit *exhibit);
+
+/* The sentence for @step, as narration_write(). */
+void exhibit_narrate (const Exhibit *exhibit,
+                      guint step,
+                      NarrationTranslate translate,
+                      char text[NARRATION_ROOM]);
+
+/* The listing, and its current line. */
+const PseudocodeLine *exhibit_lines (const Exhibit *exhibit, guint *n_lines);
+guint exhibit_line (const Exhibit *exhibit, guint step);
+
+/* Returns: (transfer full) (element-type Law): the counters. */
+GPtrArray *exhibit_laws (Exhibit *exhibit, guint step);
+
+/* Returns: the names of all counters that frames do not have, NULL at the
+ *          end. */
+const char *const *exhibit_count_names (void);
+
+/* The counter that expect calls @key.
+ *
+ * Returns: FALSE: the exhibit has no such counter. */
+gboolean
+exhibit_count (Exhibit *exhibit, guint step, const char *key, guint *count);
+
+/* What is in the plane at @step; NULL when the exhibit has no such sites. */
+const PlanarFrame *exhibit_planar_frame (Exhibit *exhibit, guint step);
+
+/* Fills @scene, of the plane. */
+void exhibit_scene (Exhibit *exhibit,
+                    guint step,
+                    Scene *scene,
+                    const SceneLook *look);
+
+G_END_DECLS
+
+#endif
