@@ -141,6 +141,21 @@ is_in_view (LegendPanel *panel, Role role)
 }
 
 static void
+update_row (LegendPanel *panel, Role role, const char *text)
+{
+  const SceneLook *look
+      = session_get_look (canvas_get_session (panel->views[0]));
+  const gboolean is_on = look->role_fade[role] < 1;
+  g_autofree char *tooltip = g_strdup_printf (
+      is_on ? _ ("%s: click to hide it") : _ ("%s: hidden, click to show it"),
+      text);
+
+  gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (panel->rows[role]), is_on);
+  gtk_widget_set_tooltip_text (panel->rows[role], tooltip);
+  atk_object_set_name (gtk_widget_get_accessible (panel->rows[role]), text);
+}
+
+static void
 update (LegendPanel *panel)
 {
   panel->n_shown = 0;
@@ -158,7 +173,7 @@ update (LegendPanel *panel)
     panel->n_shown++;
     text = text_of (role, panel->session);
     gtk_label_set_text (GTK_LABEL (panel->names[role]), text);
-    gtk_widget_set_tooltip_text (panel->names[role], text);
+    update_row (panel, role, text);
   }
   arrange (panel);
 }
@@ -197,10 +212,40 @@ on_draw_swatch (GtkWidget *widget, cairo_t *cr, gpointer user)
   return TRUE;
 }
 
+/* A row is a switch: what it names can be hidden in both pictures. */
+static void
+on_toggled (GtkToggleButton *row, LegendPanel *panel)
+{
+  const Role role
+      = (Role)GPOINTER_TO_INT (g_object_get_data (G_OBJECT (row), "role"));
+  Session *session = canvas_get_session (panel->views[0]);
+  const gboolean is_on = gtk_toggle_button_get_active (row);
+
+  /* A role that is half transparent is not made opaque by being told of. */
+  if (is_on != (session_get_look (session)->role_fade[role] < 1))
+    session_set_role_opacity (session, role, is_on ? 1 : 0);
+}
+
+static GtkWidget *
+row_new (LegendPanel *panel, Role role)
+{
+  GtkWidget *row = gtk_toggle_button_new ();
+
+  gtk_button_set_relief (GTK_BUTTON (row), GTK_RELIEF_NONE);
+  gtk_widget_set_focus_on_click (row, FALSE);
+  gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (row), TRUE);
+  gtk_style_context_add_class (gtk_widget_get_style_context (row),
+                               "legend-row");
+  g_object_set_data (G_OBJECT (row), "role", GINT_TO_POINTER ((int)role));
+  g_signal_connect (row, "toggled", G_CALLBACK (on_toggled), panel);
+  return row;
+}
+
 static void
 add_row (LegendPanel *panel, Role role)
 {
-  GtkWidget *row = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 8);
+  GtkWidget *row = row_new (panel, role);
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 8);
   GtkWidget *swatch = gtk_drawing_area_new ();
   GtkWidget *name = gtk_label_new (NULL);
 
@@ -211,8 +256,9 @@ add_row (LegendPanel *panel, Role role)
   gtk_label_set_xalign (GTK_LABEL (name), 0);
   gtk_label_set_ellipsize (GTK_LABEL (name), PANGO_ELLIPSIZE_END);
   gtk_widget_set_hexpand (name, TRUE);
-  gtk_container_add (GTK_CONTAINER (row), swatch);
-  gtk_container_add (GTK_CONTAINER (row), name);
+  gtk_container_add (GTK_CONTAINER (box), swatch);
+  gtk_container_add (GTK_CONTAINER (box), name);
+  gtk_container_add (GTK_CONTAINER (row), box);
   gtk_widget_show_all (row);
   gtk_widget_hide (row);
   gtk_grid_attach (panel->grid, row, 0, (int)role, 1, 1);
