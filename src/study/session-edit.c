@@ -312,7 +312,7 @@ show_snapshot (Session *session, const Snapshot *snapshot)
     return FALSE;
   /* They have been shown before, so their run exists. */
   run = make_run (session, snapshot->sites, snapshot->n_sites, NULL);
-  if (run->reference_count == 1)
+  if (run->reference_count == 1 && run->set->n_sites > 0)
     memcpy (run->hues, snapshot->hues, run->set->n_sites * sizeof *run->hues);
   session_hold (session);
   session_put_run (session, run,
