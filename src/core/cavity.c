@@ -12,6 +12,7 @@
 #include "hull-builder.h"
 #include "memory.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -24,6 +25,8 @@ make_room (HullBuilder *b)
   const uint32_t n = b->visible_room + 8 * CONE_LANES;
   uint32_t room[3] = { b->visible_room, b->visible_room, b->visible_room };
 
+  /* Each facet is met once: the search ends. */
+  assert (b->n_visible < b->n_facets && "the visible facets are a tree");
   b->pending = memory_grow (b->pending, &room[0], n, sizeof *b->pending);
   b->orphans = memory_grow (b->orphans, &room[1], n, sizeof *b->orphans);
   b->horizon = memory_grow (b->horizon, &room[2], n, sizeof *b->horizon);
