@@ -143,8 +143,7 @@ is_in_view (LegendPanel *panel, Role role)
 static void
 update_row (LegendPanel *panel, Role role, const char *text)
 {
-  const SceneLook *look
-      = session_get_look (canvas_get_session (panel->views[0]));
+  const SceneLook *look = session_get_look (panel->session);
   const gboolean is_on = look->role_fade[role] < 1;
   g_autofree char *tooltip = g_strdup_printf (
       is_on ? _ ("%s: click to hide it") : _ ("%s: hidden, click to show it"),
@@ -218,7 +217,7 @@ on_toggled (GtkToggleButton *row, LegendPanel *panel)
 {
   const Role role
       = (Role)GPOINTER_TO_INT (g_object_get_data (G_OBJECT (row), "role"));
-  Session *session = canvas_get_session (panel->views[0]);
+  Session *session = panel->session;
   const gboolean is_on = gtk_toggle_button_get_active (row);
 
   /* A role that is half transparent is not made opaque by being told of. */
