@@ -166,13 +166,15 @@ on_destroy (Hull2vdWindow *window, gpointer user)
   window->space_window = NULL;
 }
 
+/* As it was left; by the action, whose state is to say so. */
 static void
 on_map (Hull2vdWindow *window, gpointer user)
 {
   (void)user;
-  if (window->settings != NULL
+  if (window->settings != NULL && !window_space_is_detached (window)
       && g_settings_get_boolean (window->settings, "space-detached"))
-    window_space_detach (window, TRUE);
+    g_action_group_activate_action (G_ACTION_GROUP (window), "detach-space",
+                                    NULL);
 }
 
 void
