@@ -92,6 +92,7 @@ arrange (Arrangement *arrangement,
     hilbert_sort (sites, n, arrangement->names);
   }
   arrangement->sites = memory_new (n, sizeof *arrangement->sites);
+  memory_use_large_pages (arrangement->sites, n * sizeof (Site));
   for (i = 0; i < n; i++)
     arrangement->sites[i] = sites[arrangement->names[i]];
   if (!is_spatial)
@@ -111,11 +112,11 @@ name_sites (HullBuilder *b, const uint32_t *names)
       b->facets[facet].site[k] = names[b->facets[facet].site[k]];
 }
 
-/* Measured, ns a site and facets a site at 100 000 uniform ones: 1 (always the
- * youngest) 411 and 6.9, 16 422 and 6.6, 64 504 and 6.0, 256 528 and 5.8, all
- * (always the oldest) 620 and 5.6. Few make thin cones of sites near a line:
- * 11.8, 8.4, 5.7, 5.1 and 4.3 facets a site. */
-#define N_YOUNG_MAX 32
+/* Measured, ns a site and facets a site at 100 000 uniform ones: 8 421 and 6.8,
+ * 16 420 and 6.6, 32 451 and 6.2, 256 528 and 5.8, all (always the oldest) 620
+ * and 5.6. Few make thin cones of sites near a line: 11.3, 8.4, 6.5, 5.1 and
+ * 4.3 facets a site. */
+#define N_YOUNG_MAX 16
 
 static bool is_avx2_used = true;
 
@@ -157,6 +158,7 @@ batch_build (const Site *sites,
   b.n_young_max = turn == BATCH_LOCAL ? N_YOUNG_MAX : UINT32_MAX;
   /* n vertices make 2n - 4 facets. */
   b.facets = memory_grow (NULL, &b.facets_room, 2 * n_sites, sizeof *b.facets);
+  memory_use_large_pages (b.facets, b.facets_room * sizeof *b.facets);
   run (&b, turn);
   name_sites (&b, arrangement.names);
   batch->facets = b.facets;

@@ -1,3 +1,6 @@
+/* For madvise(). */
+#define _DEFAULT_SOURCE
+
 #include "memory.h"
 
 #include <assert.h>
@@ -6,6 +9,9 @@
 
 #ifdef __GLIBC__
 #include <malloc.h>
+#endif
+#ifdef __linux__
+#include <sys/mman.h>
 #endif
 
 static void *
@@ -37,6 +43,23 @@ memory_grow (void *array, uint32_t *capacity, uint32_t n, size_t size)
     return there_or_abort (NULL);
   *capacity = room;
   return there_or_abort (realloc (array, room * size));
+}
+
+void
+memory_use_large_pages (void *array, size_t n_bytes)
+{
+#ifdef MADV_HUGEPAGE
+  const uintptr_t page = (uintptr_t)2 << 20;
+  const uintptr_t first = ((uintptr_t)array + page - 1) / page * page;
+  const uintptr_t end = ((uintptr_t)array + n_bytes) / page * page;
+
+  /* It is advice: where it is not taken nothing is lost. */
+  if (end > first)
+    (void)madvise ((void *)first, end - first, MADV_HUGEPAGE);
+#else
+  (void)array;
+  (void)n_bytes;
+#endif
 }
 
 void

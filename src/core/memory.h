@@ -15,6 +15,11 @@ void *memory_new (size_t n, size_t size);
  */
 void *memory_grow (void *array, uint32_t *capacity, uint32_t n, size_t size);
 
+/* Asks the system to keep an array in large pages where it is large and they
+ * are to be had. To be called before it is written: an engine that jumps about
+ * in megabytes waits less for the tables of pages. */
+void memory_use_large_pages (void *array, size_t n_bytes);
+
 /* Lets freed memory stay with the program. A drag makes a trace anew at every
  * move of the pointer, and to fetch its pages from the system each time costs
  * more than the hull. To be called once, first of all. */
