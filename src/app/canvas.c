@@ -3,16 +3,16 @@
 #include "canvas-accessible.h"
 #include "canvas-input.h"
 #include "canvas-keys.h"
-#include "painter.h"
+#include "canvas-picture.h"
 
+#include <glib/gi18n.h>
 #include <string.h>
 
 #define REACH_PX 12.0
 
-/* A picture that takes longer than this is painted roughly while something
- * moves, and well again when it has come to rest. */
-#define SLOW_US 16000
-#define SETTLE_MS 150
+/* A picture that was painted roughly, because something moved, is painted well
+ * when nothing has moved for so long. */
+#define SETTLE_MS 120
 
 typedef struct CanvasPrivate {
   Session *session;
@@ -20,12 +20,13 @@ typedef struct CanvasPrivate {
   Scene scene;
   Theme theme;
   gboolean has_scene;
-  gboolean roles[N_ROLES];  /* whether the scene has something of that role */
-  cairo_surface_t *picture; /* the painted scene, or NULL: to be painted */
-  gboolean is_rough;        /* the picture was painted without antialiasing */
+  gboolean roles[N_ROLES]; /* whether the scene has something of that role */
+  CanvasPicture *picture;  /* NULL: no session yet */
   gboolean is_moving;
-  gint64 cost_us; /* of the last painting at full quality */
+  gboolean is_settling; /* the next picture is to be a good one */
   guint settle_source;
+  char *trouble; /* to be told: why OpenGL does not paint */
+  guint trouble_source;
   Object cursor;
   gboolean shows_focus; /* the keyboard came here by Tab */
   GtkGesture *gestures[N_CANVAS_GESTURES];
@@ -95,14 +96,21 @@ canvas_get_scene (Canvas *canvas)
   return &p->scene;
 }
 
-void
-canvas_invalidate (Canvas *canvas)
+static void
+invalidate_picture (Canvas *canvas)
 {
   CanvasPrivate *p = priv (canvas);
 
-  p->has_scene = FALSE;
-  g_clear_pointer (&p->picture, cairo_surface_destroy);
+  if (p->picture != NULL)
+    canvas_picture_invalidate (p->picture);
   gtk_widget_queue_draw (GTK_WIDGET (canvas));
+}
+
+void
+canvas_invalidate (Canvas *canvas)
+{
+  priv (canvas)->has_scene = FALSE;
+  invalidate_picture (canvas);
 }
 
 Projection
@@ -242,43 +250,66 @@ on_settled (gpointer user)
   CanvasPrivate *p = priv (user);
 
   p->settle_source = 0;
-  g_clear_pointer (&p->picture, cairo_surface_destroy);
-  gtk_widget_queue_draw (user);
+  p->is_settling = TRUE;
+  invalidate_picture (user);
   return G_SOURCE_REMOVE;
+}
+
+/* Puts off the good picture until nothing has moved for a while. */
+static void
+settle_later (Canvas *canvas)
+{
+  CanvasPrivate *p = priv (canvas);
+
+  if (p->settle_source != 0)
+    g_source_remove (p->settle_source);
+  p->settle_source = g_timeout_add (SETTLE_MS, on_settled, canvas);
 }
 
 void
 canvas_set_moving (Canvas *canvas, gboolean moving)
 {
+  priv (canvas)->is_moving = moving;
+}
+
+static gboolean
+on_trouble (gpointer user)
+{
+  CanvasPrivate *p = priv (user);
+  g_autofree char *trouble = g_steal_pointer (&p->trouble);
+
+  p->trouble_source = 0;
+  g_signal_emit (user, signals[SIGNAL_FAILED], 0, trouble);
+  return G_SOURCE_REMOVE;
+}
+
+/* A window that is being drawn cannot show a sentence more: later. */
+static void
+tell_trouble (Canvas *canvas, const GError *error)
+{
   CanvasPrivate *p = priv (canvas);
 
-  p->is_moving = moving;
-  if (p->settle_source != 0)
-    g_source_remove (p->settle_source);
-  p->settle_source = 0;
-  if (!moving && p->is_rough)
-    p->settle_source = g_timeout_add (SETTLE_MS, on_settled, canvas);
+  g_free (p->trouble);
+  p->trouble = g_strdup_printf (_ ("Space is painted without OpenGL: %s"),
+                                error->message);
+  if (p->trouble_source == 0)
+    p->trouble_source = g_idle_add (on_trouble, canvas);
 }
 
 static void
 paint (Canvas *canvas)
 {
   CanvasPrivate *p = priv (canvas);
-  GtkWidget *widget = GTK_WIDGET (canvas);
   const Projection projection = canvas_get_projection (canvas);
-  const gint64 start = g_get_monotonic_time ();
-  cairo_t *cr;
+  g_autoptr (GError) error = NULL;
 
-  p->picture = gdk_window_create_similar_surface (
-      gtk_widget_get_window (widget), CAIRO_CONTENT_COLOR,
-      (int)projection.width, (int)projection.height);
-  p->is_rough = p->is_moving && p->cost_us > SLOW_US;
-  cr = cairo_create (p->picture);
-  painter_paint (cr, canvas_get_scene (canvas), &projection,
-                 canvas_get_theme (canvas), p->is_rough ? PAINTER_FAST : 0);
-  cairo_destroy (cr);
-  if (!p->is_rough)
-    p->cost_us = g_get_monotonic_time () - start;
+  if (!canvas_picture_update (p->picture, canvas_get_scene (canvas),
+                              &projection, canvas_get_theme (canvas),
+                              p->is_moving && !p->is_settling, &error))
+    tell_trouble (canvas, error);
+  p->is_settling = FALSE;
+  if (canvas_picture_is_rough (p->picture))
+    settle_later (canvas);
 }
 
 static void
@@ -327,10 +358,9 @@ canvas_draw (GtkWidget *widget, cairo_t *cr)
 
   if (p->session == NULL)
     return FALSE;
-  if (p->picture == NULL)
+  if (!canvas_picture_is_valid (p->picture))
     paint (canvas);
-  cairo_set_source_surface (cr, p->picture, 0, 0);
-  cairo_paint (cr);
+  canvas_picture_draw (p->picture, cr);
   if (HULL2VD_CANVAS_GET_CLASS (canvas)->draw_over != NULL)
     HULL2VD_CANVAS_GET_CLASS (canvas)->draw_over (canvas, cr);
   if (p->shows_focus && gtk_widget_has_focus (widget))
@@ -353,8 +383,10 @@ canvas_size_allocate (GtkWidget *widget, GtkAllocation *allocation)
 static void
 canvas_unrealize (GtkWidget *widget)
 {
-  g_clear_pointer (&priv (HULL2VD_CANVAS (widget))->picture,
-                   cairo_surface_destroy);
+  CanvasPrivate *p = priv (HULL2VD_CANVAS (widget));
+
+  if (p->picture != NULL)
+    canvas_picture_release (p->picture);
   GTK_WIDGET_CLASS (canvas_parent_class)->unrealize (widget);
 }
 
@@ -377,7 +409,12 @@ on_changed (Session *session, guint changes, Canvas *canvas)
   (void)session;
   if ((changes & matters) == 0)
     return;
-  canvas_invalidate (canvas);
+  /* What there is in space is the same from everywhere. */
+  if ((changes & matters) == CHANGED_CAMERA
+      && HULL2VD_CANVAS_GET_CLASS (canvas)->is_space)
+    invalidate_picture (canvas);
+  else
+    canvas_invalidate (canvas);
   if (changes & CHANGED_SITES)
     check_cursor (canvas);
   canvas_accessible_update (GTK_WIDGET (canvas), changes);
@@ -390,6 +427,8 @@ canvas_set_session (Canvas *canvas, Session *session)
 
   g_assert (p->session == NULL);
   p->session = g_object_ref (session);
+  p->picture = canvas_picture_new (GTK_WIDGET (canvas),
+                                   HULL2VD_CANVAS_GET_CLASS (canvas)->is_space);
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), canvas,
                            0);
   canvas_invalidate (canvas);
@@ -411,11 +450,14 @@ canvas_dispose (GObject *object)
   if (p->settle_source != 0)
     g_source_remove (p->settle_source);
   p->settle_source = 0;
+  if (p->trouble_source != 0)
+    g_source_remove (p->trouble_source);
+  p->trouble_source = 0;
   for (guint i = 0; i < N_CANVAS_GESTURES; i++)
     g_clear_object (&p->gestures[i]);
   for (guint i = 0; i < N_CANVAS_CONTROLLERS; i++)
     g_clear_object (&p->controllers[i]);
-  g_clear_pointer (&p->picture, cairo_surface_destroy);
+  g_clear_pointer (&p->picture, canvas_picture_free);
   g_clear_object (&p->session);
   G_OBJECT_CLASS (canvas_parent_class)->dispose (object);
 }
@@ -423,6 +465,7 @@ canvas_dispose (GObject *object)
 static void
 canvas_finalize (GObject *object)
 {
+  g_free (priv (HULL2VD_CANVAS (object))->trouble);
   scene_clear (&priv (HULL2VD_CANVAS (object))->scene);
   G_OBJECT_CLASS (canvas_parent_class)->finalize (object);
 }

@@ -12,6 +12,7 @@ struct Easel {
   Drawing *other;   /* room for the next one */
   Raster *raster;   /* NULL before the first picture */
   Theme theme;
+  Projection projection;
   double scale;
 };
 
@@ -44,7 +45,8 @@ easel_get_surface (Easel *easel)
   return easel->raster == NULL ? NULL : raster_get_surface (easel->raster);
 }
 
-/* Whether the picture is of the same size, and its ground as it will be. */
+/* Whether the picture is seen from the same place, and its ground is as it
+ * will be; else all of it has changed. */
 static bool
 is_same_sheet (const Easel *easel,
                const Projection *projection,
@@ -52,8 +54,7 @@ is_same_sheet (const Easel *easel,
                double scale)
 {
   return easel->raster != NULL && easel->scale == scale
-         && easel->drawing->width == projection->width
-         && easel->drawing->height == projection->height
+         && memcmp (&easel->projection, projection, sizeof *projection) == 0
          && memcmp (&easel->theme, theme, sizeof *theme) == 0;
 }
 
@@ -66,16 +67,26 @@ swap_drawings (Easel *easel)
   easel->other = drawing;
 }
 
+static bool
+is_same_size (const Easel *easel, double scale)
+{
+  return easel->raster != NULL && easel->scale == scale
+         && easel->drawing->width == easel->other->width
+         && easel->drawing->height == easel->other->height;
+}
+
 static cairo_region_t *
 paint_all (Easel *easel, double scale)
 {
   cairo_surface_t *surface;
   cairo_rectangle_int_t whole = { 0 };
 
-  raster_free (easel->raster);
-  easel->raster
-      = raster_new (easel->drawing->width, easel->drawing->height, scale);
-  easel->scale = scale;
+  if (!is_same_size (easel, scale)) {
+    raster_free (easel->raster);
+    easel->raster
+        = raster_new (easel->drawing->width, easel->drawing->height, scale);
+    easel->scale = scale;
+  }
   raster_paint (easel->raster, easel->drawing, NULL);
   surface = raster_get_surface (easel->raster);
   whole.width = cairo_image_surface_get_width (surface);
@@ -94,6 +105,7 @@ easel_paint (Easel *easel,
   cairo_region_t *region;
 
   easel->theme = *theme;
+  easel->projection = *projection;
   swap_drawings (easel);
   drawing_set (easel->drawing, scene, projection, &easel->theme);
   if (!is_same || easel->drawing->edition != easel->other->edition)

@@ -1,0 +1,45 @@
+/* The picture of a canvas: kept until something changes, painted by the
+ * raster or by OpenGL. HULL2VD_RENDERER=gl|cairo decides which; without it
+ * OpenGL paints where a graphics processor does the work, and the raster where
+ * OpenGL would be software too: it is faster there (CONTRIBUTING.md). */
+#ifndef CANVAS_PICTURE_H
+#define CANVAS_PICTURE_H
+
+#include "theme.h"
+
+#include <gtk/gtk.h>
+
+G_BEGIN_DECLS
+
+typedef struct CanvasPicture CanvasPicture;
+
+/* @may_use_gl: OpenGL may paint it at all. */
+CanvasPicture *canvas_picture_new (GtkWidget *widget, gboolean may_use_gl);
+void canvas_picture_free (CanvasPicture *picture);
+
+/* The picture is to be brought up to date when it is drawn next. */
+void canvas_picture_invalidate (CanvasPicture *picture);
+gboolean canvas_picture_is_valid (const CanvasPicture *picture);
+
+/* The window is about to go, and all that depends on it. */
+void canvas_picture_release (CanvasPicture *picture);
+
+/* Whether it was painted in a hurry: worth being painted again at rest. */
+gboolean canvas_picture_is_rough (const CanvasPicture *picture);
+
+/* Paints what has changed. Never fails: what OpenGL cannot paint the raster
+ * does, from then on.
+ *
+ * Returns: FALSE with @error set when this has just happened. */
+gboolean canvas_picture_update (CanvasPicture *picture,
+                                const Scene *scene,
+                                const Projection *projection,
+                                const Theme *theme,
+                                gboolean is_moving,
+                                GError **error);
+
+void canvas_picture_draw (CanvasPicture *picture, cairo_t *cr);
+
+G_END_DECLS
+
+#endif
