@@ -118,6 +118,8 @@ static void
 on_changed (Session *session, guint changes, Hull2vdWindow *window)
 {
   (void)session;
+  if (changes & CHANGED_WORK)
+    window_files_follow_work (window);
   if (changes & (CHANGED_SITES | CHANGED_LESSON)) {
     hull2vd_window_update_title (window);
     update_hints (window);
@@ -164,7 +166,12 @@ static gboolean
 hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
 {
   GtkWindow *window = GTK_WINDOW (widget);
+  Session *session = HULL2VD_WINDOW (widget)->session;
 
+  if (event->keyval == GDK_KEY_Escape && session_is_working (session, NULL)) {
+    session_cancel (session);
+    return TRUE;
+  }
   if (hull2vd_window_focus_wants_key (gtk_window_get_focus (window), event)
       && gtk_window_propagate_key_event (window, event))
     return TRUE;
@@ -197,6 +204,7 @@ connect_session (Hull2vdWindow *window)
   transport_set_session (window->transport, session);
   site_readout_attach (window->plane_readout, session);
   window->coordinate_entry = coordinate_entry_new (window->plane_view);
+  work_bar_set_session (window->work_bar, session);
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), window,
                            0);
   g_signal_connect (window->plane_view, "failed", G_CALLBACK (on_failed),
@@ -210,10 +218,13 @@ hull2vd_window_dispose (GObject *object)
 {
   Hull2vdWindow *window = HULL2VD_WINDOW (object);
 
+  if (window->session != NULL)
+    session_cancel (window->session);
   g_clear_object (&window->session);
   g_clear_object (&window->settings);
   g_clear_pointer (&window->path, g_free);
   g_clear_pointer (&window->saved, g_free);
+  g_clear_pointer (&window->awaited, g_free);
   G_OBJECT_CLASS (hull2vd_window_parent_class)->dispose (object);
 }
 
@@ -231,6 +242,7 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (redo_button);
   BIND (info_bar);
   BIND (info_label);
+  BIND (work_bar);
   BIND (columns);
   BIND (lesson_paned);
   BIND (view_paned);
@@ -268,6 +280,7 @@ ensure_types (void)
   g_type_ensure (SPACE_VIEW_TYPE);
   g_type_ensure (NARRATION_BAR_TYPE);
   g_type_ensure (TRANSPORT_TYPE);
+  g_type_ensure (WORK_BAR_TYPE);
 }
 
 static void
@@ -288,6 +301,7 @@ hull2vd_window_init (Hull2vdWindow *window)
 {
   gtk_widget_init_template (GTK_WIDGET (window));
   window->session = session_new ();
+  session_set_patient (window->session, TRUE);
   window->settings = settings_new ();
   connect_session (window);
   window_panes_init (window);

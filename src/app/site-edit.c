@@ -22,6 +22,8 @@ site_edit_add (Canvas *canvas, Point3 point)
     canvas_fail (canvas, error);
     return;
   }
+  if (session_is_working (session, NULL))
+    return;
   /* Its number is the last one. */
   canvas_set_cursor (
       canvas, (Object){ OBJECT_SITE, session_get_set (session)->n_sites - 1 });

@@ -30,24 +30,64 @@ window_files_is_modified (Hull2vdWindow *window)
   return g_strcmp0 (now, window->saved) != 0;
 }
 
+/* The file at @path is what is shown. Takes @path. */
+static void
+set_path (Hull2vdWindow *window, char *path)
+{
+  g_free (window->path);
+  window->path = path;
+}
+
+static void
+show_loaded (Hull2vdWindow *window, const char *path, gboolean is_foreign)
+{
+  set_path (window, g_strdup (path));
+  window->is_foreign = is_foreign;
+  remember_saved (window);
+  window_recent_add (path);
+  gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
+}
+
 gboolean
 window_files_load (Hull2vdWindow *window, const char *path)
 {
   g_autoptr (GError) error = NULL;
   g_autofree char *kept = g_strdup (path);
+  char *before = g_steal_pointer (&window->path);
+  gboolean is_foreign;
 
   gtk_info_bar_set_revealed (window->info_bar, FALSE);
+  g_clear_pointer (&window->awaited, g_free);
   /* The title is made while the session tells of its change. */
-  g_free (window->path);
-  window->path = g_steal_pointer (&kept);
-  if (!point_import_open (window->session, path, &window->is_foreign, &error)) {
+  window->path = g_strdup (path);
+  if (!point_import_open (window->session, path, &is_foreign, &error)) {
+    set_path (window, before);
     hull2vd_window_say (window, error->message);
     return FALSE;
   }
-  remember_saved (window);
-  window_recent_add (path);
-  gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
+  window->awaited_work = session_get_work (window->session);
+  if (window->awaited_work != 0) {
+    set_path (window, before);
+    window->awaited = g_steal_pointer (&kept);
+    window->is_awaited_foreign = is_foreign;
+    return TRUE;
+  }
+  g_free (before);
+  show_loaded (window, kept, is_foreign);
   return TRUE;
+}
+
+void
+window_files_follow_work (Hull2vdWindow *window)
+{
+  g_autofree char *path = NULL;
+
+  if (window->awaited == NULL
+      || session_get_work (window->session) == window->awaited_work)
+    return;
+  path = g_steal_pointer (&window->awaited);
+  if (session_has_finished (window->session, window->awaited_work))
+    show_loaded (window, path, window->is_awaited_foreign);
 }
 
 /* New */

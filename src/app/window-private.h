@@ -14,6 +14,7 @@
 #include "plane-view.h"
 #include "space-view.h"
 #include "transport.h"
+#include "work-bar.h"
 
 G_BEGIN_DECLS
 
@@ -34,12 +35,16 @@ struct _Hull2vdWindow {
   char *path;          /* of the points or lesson, or NULL: new sites */
   char *saved;         /* the points as they are in the file */
   gboolean is_foreign; /* the file is no point file: see point-import.h */
+  char *awaited;       /* of points whose hull a thread makes, or NULL */
+  guint awaited_work;  /* its number */
+  gboolean is_awaited_foreign;
 
   GtkHeaderBar *header_bar;
   GtkMenuButton *lessons_button, *view_button, *main_button;
   GtkWidget *undo_button, *redo_button;
   GtkInfoBar *info_bar;
   GtkLabel *info_label;
+  WorkBar *work_bar;
   Columns *columns;
   GtkPaned *lesson_paned, *view_paned;
   GtkWidget *left_column, *right_column, *tabs;
@@ -105,6 +110,10 @@ void window_files_storyboard (Hull2vdWindow *window);
 gboolean window_files_load (Hull2vdWindow *window, const char *path);
 /* Whether there is work in the window that is in no file. */
 gboolean window_files_is_modified (Hull2vdWindow *window);
+
+/* A thread is at work, or no longer: a file that was waited for is there now,
+ * or will not come. */
+void window_files_follow_work (Hull2vdWindow *window);
 
 /* window-picture.c: pictures of the views. */
 void window_picture_export (Hull2vdWindow *window);

@@ -134,3 +134,9 @@ ACTION_RUN (action_redo)
          || refuse (ACTION_ERROR_DISABLED, _ ("there is nothing to redo"),
                     error);
 }
+
+ACTION_RUN (action_cancel)
+{
+  session_cancel (session);
+  return TRUE;
+}

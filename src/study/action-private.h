@@ -63,6 +63,7 @@ ACTION_RUN (action_sites);
 ACTION_RUN (action_new);
 ACTION_RUN (action_undo);
 ACTION_RUN (action_redo);
+ACTION_RUN (action_cancel);
 
 ACTION_RUN (action_answer_toggle);
 ACTION_RUN (action_answer_number);
@@ -126,6 +127,7 @@ ACTION_ENABLED (action_has_question);
 ACTION_ENABLED (action_has_open_question);
 ACTION_ENABLED (action_can_another);
 ACTION_ENABLED (action_can_continue);
+ACTION_ENABLED (action_is_working);
 
 typedef enum ActionZoom {
   ZOOM_PLANE = 1,

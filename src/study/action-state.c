@@ -171,3 +171,8 @@ ACTION_ENABLED (action_can_redo)
 {
   return session_get_redo_label (session) != NULL;
 }
+
+ACTION_ENABLED (action_is_working)
+{
+  return session_is_working (session, NULL);
+}

@@ -111,6 +111,7 @@ given_sites (const SiteSet *set)
   return sites;
 }
 
+/* Takes @set. */
 static gboolean
 open_set (Session *session, SiteSet *set, GError **error)
 {
@@ -118,7 +119,8 @@ open_set (Session *session, SiteSet *set, GError **error)
   const guint n_sites = set->n_sites;
 
   site_set_free (set);
-  return session_set_sites (session, sites, n_sites, error);
+  return session_open_sites (session, sites, n_sites, _ ("opening of a file"),
+                             error);
 }
 
 static gboolean
@@ -142,7 +144,6 @@ document_open (Session *session, const char *path, GError **error)
   set = document_read_points (path, error);
   if (set == NULL)
     return FALSE;
-  session_set_lesson (session, NULL);
   return open_set (session, set, error);
 }
 

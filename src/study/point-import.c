@@ -194,8 +194,19 @@ point_import_parse (const char *text,
 
 /* Into a session */
 
+typedef gboolean (*PutSites) (Session *session,
+                              const Site *sites,
+                              guint n_sites,
+                              const char *edit,
+                              GError **error);
+
+/* Takes @set. */
 static gboolean
-put_set (Session *session, SiteSet *set, const char *edit, GError **error)
+put_set (Session *session,
+         SiteSet *set,
+         PutSites put,
+         const char *edit,
+         GError **error)
 {
   g_autofree Site *sites = g_new (Site, set->n_sites + 1);
   const guint n_sites = set->n_sites;
@@ -203,7 +214,7 @@ put_set (Session *session, SiteSet *set, const char *edit, GError **error)
   for (guint i = 0; i < n_sites; i++)
     sites[i] = site_set_given (set, i);
   site_set_free (set);
-  return session_replace_sites (session, sites, n_sites, edit, error);
+  return put (session, sites, n_sites, edit, error);
 }
 
 gboolean
@@ -225,8 +236,8 @@ point_import_open (Session *session,
   set = point_import_parse (text, length, path, is_foreign, error);
   if (set == NULL)
     return FALSE;
-  session_set_lesson (session, NULL);
-  return put_set (session, set, _ ("opening of a file"), error);
+  return put_set (session, set, session_open_sites, _ ("opening of a file"),
+                  error);
 }
 
 gboolean
@@ -238,5 +249,6 @@ point_import_text (Session *session,
 {
   SiteSet *set = point_import_parse (text, strlen (text), origin, NULL, error);
 
-  return set != NULL && put_set (session, set, edit, error);
+  return set != NULL
+         && put_set (session, set, session_replace_sites, edit, error);
 }

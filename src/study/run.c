@@ -1,23 +1,74 @@
 #include "run.h"
 
+#include "hull.h"
 #include "timeline.h"
+#include "trace-recorder.h"
+
+/* Takes @set and @trace. */
+static Run *
+put_together (SiteSet *set, Trace *trace)
+{
+  Run *run = g_new0 (Run, 1);
+
+  run->reference_count = 1;
+  run->set = set;
+  run->trace = trace;
+  run->hues = g_new (guint32, MAX (set->n_sites, 1));
+  for (guint i = 0; i < set->n_sites; i++)
+    run->hues[i] = i;
+  return run;
+}
 
 Run *
 run_new (const Site *sites, guint n_sites, const Order *order)
 {
   SiteSet *set = site_set_new (sites, n_sites);
-  Run *run;
 
   if (set == NULL)
     return NULL;
-  run = g_new0 (Run, 1);
-  run->reference_count = 1;
-  run->set = set;
-  run->trace = trace_record (set, order);
-  run->hues = g_new (guint32, MAX (n_sites, 1));
-  for (guint i = 0; i < n_sites; i++)
-    run->hues[i] = i;
-  return run;
+  return put_together (set, trace_record (set, order));
+}
+
+/* A recorder that is looked at. */
+typedef struct Watched {
+  TraceRecorder *recorder;
+  RunWatch *watch;
+} Watched;
+
+/* QuickHull takes no orders: when nobody waits any more it runs to its end,
+ * but nothing of it is kept. */
+static void
+on_event (const Event *event, void *user)
+{
+  const Watched *watched = user;
+
+  if (g_atomic_int_get (&watched->watch->is_cancelled))
+    return;
+  trace_recorder_hook (event, watched->recorder);
+  if (event->kind == EVENT_SELECT || event->kind == EVENT_DUPLICATE)
+    g_atomic_int_inc (&watched->watch->n_done);
+}
+
+Run *
+run_new_watched (const Site *sites,
+                 guint n_sites,
+                 const Order *order,
+                 RunWatch *watch)
+{
+  SiteSet *set = site_set_new (sites, n_sites);
+  Watched watched = { .watch = watch };
+  const HullHook hook = { on_event, &watched };
+  Trace *trace;
+
+  if (set == NULL)
+    return NULL;
+  watched.recorder = trace_recorder_new (set, order);
+  hull_build (set, order, &hook);
+  trace = trace_recorder_finish (watched.recorder);
+  if (trace != NULL)
+    return put_together (set, trace);
+  site_set_free (set);
+  return NULL;
 }
 
 Run *

@@ -19,6 +19,20 @@ typedef struct Run {
 /* Returns: (transfer full): the run of @sites in @order, or NULL when no exact
  *          scaling fits them. */
 Run *run_new (const Site *sites, guint n_sites, const Order *order);
+
+/* What a thread tells of a run that it makes, and is told: atomic. */
+typedef struct RunWatch {
+  gint n_done;       /* sites so far */
+  gint is_cancelled; /* nobody waits for the run any more */
+} RunWatch;
+
+/* The same, seen from another thread.
+ *
+ * Returns: NULL also when it was cancelled. */
+Run *run_new_watched (const Site *sites,
+                      guint n_sites,
+                      const Order *order,
+                      RunWatch *watch);
 Run *run_ref (Run *run);
 void run_unref (Run *run);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (Run, run_unref)

@@ -3,24 +3,30 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-/* Returns: (transfer full): the run of @sites in the session's order; the
+/* Returns: (transfer full): the run that an edit leads to; the
  *          lesson's own when they are the sites of its stop, so that its steps
- *          are valid again. */
+ *          are valid again. NULL with @error set, or without when a thread
+ *          makes it: then session->is_deferred. */
 static Run *
-make_run (Session *session, const Site *sites, guint n_sites, GError **error)
+make_run (Session *session, const Edit *edit, GError **error)
 {
-  const Order *order = &session->run->trace->order;
-  Run *run;
+  Run *run = session_take_ready (session, edit);
 
+  session->is_deferred = FALSE;
+  if (run != NULL)
+    return run;
   if (session->is_replaying)
-    session->n_sites_made += n_sites;
+    session->n_sites_made += edit->n_sites;
   else if (session->lesson != NULL) {
     run = lesson_stop (session->lesson, session->stop)->state->run;
-    if (run_is_of (run, sites, n_sites, order))
+    if (run_is_of (run, edit->sites, edit->n_sites, &edit->order))
       return run_ref (run);
   }
 
-  run = run_new (sites, n_sites, order);
+  session->is_deferred = session_defer (session, edit);
+  if (session->is_deferred)
+    return NULL;
+  run = run_new (edit->sites, edit->n_sites, &edit->order);
   if (run == NULL)
     g_set_error (error, SESSION_ERROR, SESSION_ERROR_RANGE,
                  _ ("these coordinates are too far apart in size to be "
@@ -92,18 +98,33 @@ session_copy_sites (Session *session)
   return run_given (session->run);
 }
 
+static Edit
+edit_of (Session *session,
+         EditKind kind,
+         const Site *sites,
+         guint n_sites,
+         const char *name)
+{
+  return (Edit){ .kind = kind,
+                 .sites = sites,
+                 .n_sites = n_sites,
+                 .order = session->run->trace->order,
+                 .name = name };
+}
+
 gboolean
 session_edit_sites (Session *session,
                     const Site *sites,
                     guint n_sites,
-                    const char *edit,
+                    const char *name,
                     GError **error)
 {
-  Run *run = make_run (session, sites, n_sites, error);
+  const Edit edit = edit_of (session, EDIT_PUT, sites, n_sites, name);
+  Run *run = make_run (session, &edit, error);
 
   if (run == NULL)
-    return FALSE;
-  put_edit (session, run, g_strdup (edit));
+    return session->is_deferred;
+  put_edit (session, run, g_strdup (name));
   return TRUE;
 }
 
@@ -118,13 +139,16 @@ session_set_order (Session *session, const Order *order)
 {
   g_autofree Site *sites = run_given (session->run);
   const guint n_sites = session->run->set->n_sites;
+  const Edit edit = {
+    .kind = EDIT_ORDER, .sites = sites, .n_sites = n_sites, .order = *order
+  };
   Run *run;
 
   if (run_is_of (session->run, sites, n_sites, order))
     return;
-  if (session->is_replaying)
-    session->n_sites_made += n_sites;
-  run = run_new (sites, n_sites, order);
+  run = make_run (session, &edit, NULL);
+  if (run == NULL)
+    return;
   run_inherit_hues (run, session->run);
   session_hold (session);
   session_end_edit (session);
@@ -135,17 +159,10 @@ session_set_order (Session *session, const Order *order)
   session_release (session);
 }
 
-gboolean
-session_replace_sites (Session *session,
-                       const Site *sites,
-                       guint n_sites,
-                       const char *edit,
-                       GError **error)
+/* Takes @run. */
+static void
+put_sites (Session *session, Run *run, const char *edit)
 {
-  Run *run = make_run (session, sites, n_sites, error);
-
-  if (run == NULL)
-    return FALSE;
   session_hold (session);
   session_end_edit (session);
   put_edit (session, run, g_strdup (edit));
@@ -155,6 +172,40 @@ session_replace_sites (Session *session,
   session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
   session_fit (session);
+  session_release (session);
+}
+
+gboolean
+session_replace_sites (Session *session,
+                       const Site *sites,
+                       guint n_sites,
+                       const char *name,
+                       GError **error)
+{
+  const Edit edit = edit_of (session, EDIT_REPLACE, sites, n_sites, name);
+  Run *run = make_run (session, &edit, error);
+
+  if (run == NULL)
+    return session->is_deferred;
+  put_sites (session, run, name);
+  return TRUE;
+}
+
+gboolean
+session_open_sites (Session *session,
+                    const Site *sites,
+                    guint n_sites,
+                    const char *name,
+                    GError **error)
+{
+  const Edit edit = edit_of (session, EDIT_OPEN, sites, n_sites, name);
+  Run *run = make_run (session, &edit, error);
+
+  if (run == NULL)
+    return session->is_deferred;
+  session_hold (session);
+  session_set_lesson (session, NULL);
+  put_sites (session, run, name);
   session_release (session);
   return TRUE;
 }
@@ -176,13 +227,18 @@ session_add_site (Session *session, Site site, GError **error)
 {
   const guint n_sites = session->run->set->n_sites;
   g_autofree Site *sites = run_given (session->run);
+  Edit edit = { .kind = EDIT_ADD,
+                .n_sites = n_sites + 1,
+                .order = session->run->trace->order,
+                .to = site };
   Run *run;
 
   sites = g_renew (Site, sites, n_sites + 1);
   sites[n_sites] = site;
-  run = make_run (session, sites, n_sites + 1, error);
+  edit.sites = sites;
+  run = make_run (session, &edit, error);
   if (run == NULL)
-    return FALSE;
+    return session->is_deferred;
   session_hold (session);
   put_edit (session, run, g_strdup_printf (_ ("addition of s%u"), n_sites));
   session_fit_extent (session, FALSE);
@@ -211,17 +267,25 @@ gboolean
 session_move_site (Session *session, guint site, Site to, GError **error)
 {
   g_autofree Site *sites = NULL;
+  Edit edit = { .kind = EDIT_MOVE,
+                .n_sites = session->run->set->n_sites,
+                .order = session->run->trace->order,
+                .site = site,
+                .to = to };
   Run *run;
 
   if (!has_site (session, site, error))
     return FALSE;
+  if (session_defer_move (session, &edit))
+    return TRUE;
   sites = run_given (session->run);
   if (sites[site].x == to.x && sites[site].y == to.y)
     return TRUE;
   sites[site] = to;
-  run = make_run (session, sites, session->run->set->n_sites, error);
+  edit.sites = sites;
+  run = make_run (session, &edit, error);
   if (run == NULL)
-    return FALSE;
+    return session->is_deferred;
   put_edit (session, run, g_strdup_printf (_ ("move of s%u"), site));
   return TRUE;
 }
@@ -241,6 +305,9 @@ gboolean
 session_remove_site (Session *session, guint site, GError **error)
 {
   g_autofree Site *sites = NULL;
+  Edit edit = { .kind = EDIT_REMOVE,
+                .order = session->run->trace->order,
+                .site = site };
   guint n_sites;
   Run *run;
 
@@ -249,9 +316,11 @@ session_remove_site (Session *session, guint site, GError **error)
   n_sites = session->run->set->n_sites - 1;
   sites = run_given (session->run);
   memmove (sites + site, sites + site + 1, (n_sites - site) * sizeof *sites);
-  run = make_run (session, sites, n_sites, error);
+  edit.sites = sites;
+  edit.n_sites = n_sites;
+  run = make_run (session, &edit, error);
   if (run == NULL)
-    return FALSE;
+    return session->is_deferred;
   session_hold (session);
   session_set_hover (session, object_without (session->look.hover, site));
   session_forget_site (session, site);
@@ -263,6 +332,7 @@ session_remove_site (Session *session, guint site, GError **error)
 void
 session_begin_edit (Session *session)
 {
+  session_cancel (session);
   session_end_edit (session);
   session->is_dragging = TRUE;
   session->drag_run = run_ref (session->run);
@@ -274,6 +344,10 @@ session_end_edit (Session *session)
 {
   const gboolean has_dragged = session->has_dragged;
 
+  /* The last place of a drag is still on its way. */
+  session->ends_later = session->is_dragging && session->work != NULL;
+  if (session->ends_later)
+    return;
   session->is_dragging = FALSE;
   session->has_dragged = FALSE;
   g_clear_pointer (&session->drag_run, run_unref);
@@ -304,14 +378,25 @@ session_cancel_edit (Session *session)
 
 /* Shows what the history tells; the place in time is kept. */
 static gboolean
-show_snapshot (Session *session, const Snapshot *snapshot)
+show_snapshot (Session *session, const Snapshot *snapshot, EditKind kind)
 {
+  Edit edit = { .kind = kind, .order = session->run->trace->order };
   Run *run;
 
   if (snapshot == NULL)
     return FALSE;
+  edit.sites = snapshot->sites;
+  edit.n_sites = snapshot->n_sites;
   /* They have been shown before, so their run exists. */
-  run = make_run (session, snapshot->sites, snapshot->n_sites, NULL);
+  run = make_run (session, &edit, NULL);
+  if (run == NULL) {
+    /* It is not done yet. */
+    if (kind == EDIT_UNDO)
+      history_redo (session->history);
+    else
+      history_undo (session->history);
+    return TRUE;
+  }
   if (run->reference_count == 1 && run->set->n_sites > 0)
     memcpy (run->hues, snapshot->hues, run->set->n_sites * sizeof *run->hues);
   session_hold (session);
@@ -333,14 +418,14 @@ gboolean
 session_undo (Session *session)
 {
   session_end_edit (session);
-  return show_snapshot (session, history_undo (session->history));
+  return show_snapshot (session, history_undo (session->history), EDIT_UNDO);
 }
 
 gboolean
 session_redo (Session *session)
 {
   session_end_edit (session);
-  return show_snapshot (session, history_redo (session->history));
+  return show_snapshot (session, history_redo (session->history), EDIT_REDO);
 }
 
 const char *

@@ -4,6 +4,7 @@
 
 #include "history.h"
 #include "run.h"
+#include "session-work.h"
 #include "session.h"
 #include "stop-state.h"
 
@@ -52,6 +53,13 @@ struct _Session {
                             and the stop does not follow the step */
 
   guint n_sites_made; /* by a lesson's commands, all sets together */
+
+  gboolean is_patient;     /* large sets are worked on in a thread */
+  SessionWork *work;       /* that goes on; its task owns it */
+  guint n_works, finished; /* numbers of the last one begun and finished */
+  Run *ready;              /* that a thread has just made */
+  gboolean is_deferred;    /* the edit that was asked for last */
+  gboolean ends_later;     /* a drag, when its last run is there */
 
   guint n_held;  /* session_hold() that are not released */
   guint changes; /* told when the last one is */

@@ -130,6 +130,8 @@ session_put_run (Session *session, Run *run, guint step)
   Extent *extent = &session->look.extent;
 
   session->look.has_preview = FALSE;
+  /* What a thread works on follows from what was there. */
+  session_cancel (session);
   drop_frame (session);
   run_unref (session->run);
   session->run = run;

@@ -34,7 +34,8 @@ typedef enum SessionChange {
   CHANGED_QUESTION = 1 << 8,   /* what is answered, and how right it is; another
                                   question is CHANGED_LESSON */
   CHANGED_EXHIBIT = 1 << 9, /* what is shown of the sites; then sites and step
- are said to have changed as well */
+                               are said to have changed as well */
+  CHANGED_WORK = 1 << 10,   /* a large set is worked on, or no longer */
 } SessionChange;
 
 /* What "next" means. */
@@ -82,6 +83,13 @@ gboolean session_replace_sites (Session *session,
                                 guint n_sites,
                                 const char *edit,
                                 GError **error);
+
+/* The same, and no lesson any more: a file of points. */
+gboolean session_open_sites (Session *session,
+                             const Site *sites,
+                             guint n_sites,
+                             const char *edit,
+                             GError **error);
 gboolean session_add_site (Session *session, Site site, GError **error);
 gboolean
 session_move_site (Session *session, guint site, Site to, GError **error);
@@ -110,6 +118,22 @@ const char *session_get_redo_label (Session *session);
  * than pixels. */
 gboolean session_get_snaps (Session *session);
 void session_set_snaps (Session *session, gboolean snaps);
+/* Sets of more sites than this take longer than a person wants to wait. In a
+ * session that is patient a thread makes their hull: an edit returns TRUE at
+ * once, the session stays as it was, and the edit follows when the hull is
+ * there. It needs a main loop. Another edit gives the work up, and so does
+ * session_cancel(); a drag goes on to the last place that was asked for. */
+#define SESSION_AT_ONCE 2000
+
+void session_set_patient (Session *session, gboolean patient);
+void session_cancel (Session *session);
+
+/* Returns: whether a thread is at work, and in *@part how much is done, 0 … 1.
+ */
+gboolean session_is_working (Session *session, double *part);
+guint session_get_work (Session *session); /* its number; 0: none */
+gboolean session_has_finished (Session *session, guint work);
+guint session_get_n_awaited (Session *session); /* sites that it works on */
 
 /* Puts a point of the plane, as scene_site() gives it, on the snap grid:
  * coordinates with few digits, on a power-of-two grid that is fine enough for
