@@ -107,8 +107,8 @@ void
 stroke_end (Drawing *drawing)
 {
   Stroke *stroke = &drawing->strokes[drawing->n_strokes - 1];
-  const Pixel *pixels = &drawing->pixels[stroke->first];
   const double reach = 1 + reach_of (drawing, stroke);
+  const Pixel *pixels;
   Pixel low, high;
   uint32_t i;
 
@@ -116,6 +116,7 @@ stroke_end (Drawing *drawing)
     drawing->n_strokes -= 1;
     return;
   }
+  pixels = &drawing->pixels[stroke->first];
   low = high = pixels[0];
   for (i = 1; i < stroke->n; i++) {
     low.x = fmin (low.x, pixels[i].x);
