@@ -30,6 +30,7 @@ struct LabelSheet {
   int columns, rows;
   double width, height;
   unsigned char *ink;
+  guint32 *sums; /* of the ink above and left of each cell, before any label */
   Pixel directions[N_DIRECTIONS];
 };
 
@@ -65,6 +66,7 @@ void
 label_sheet_free (LabelSheet *sheet)
 {
   g_free (sheet->ink);
+  g_free (sheet->sums);
   g_free (sheet);
 }
 
@@ -128,19 +130,58 @@ cells_of (const LabelSheet *sheet, const Label *label, Pixel low)
               MIN ((int)ceil ((low.y + label->height) / CELL), sheet->rows) };
 }
 
+/* Sums up the ink, so that the ink under a rectangle is four numbers. */
+static void
+sum_ink (LabelSheet *sheet)
+{
+  const int stride = sheet->columns + 1;
+  int row, column;
+
+  g_free (sheet->sums);
+  sheet->sums = g_new0 (guint32, (gsize)stride * (gsize)(sheet->rows + 1));
+  for (row = 0; row < sheet->rows; row++) {
+    const unsigned char *ink = &sheet->ink[row * sheet->columns];
+    const guint32 *above = &sheet->sums[row * stride];
+    guint32 *sums = &sheet->sums[(row + 1) * stride];
+    guint32 sum = 0;
+
+    for (column = 0; column < sheet->columns; column++) {
+      sum += ink[column];
+      sums[column + 1] = above[column + 1] + sum;
+    }
+  }
+}
+
+static bool
+has_label (const LabelSheet *sheet, Cells cells)
+{
+  const size_t n = (size_t)(cells.right - cells.left);
+  int row;
+
+  for (row = cells.top; row < cells.bottom; row++)
+    if (memchr (&sheet->ink[row * sheet->columns + cells.left], INK_LABEL, n)
+        != NULL)
+      return true;
+  return false;
+}
+
 /* Returns: how bad it is to cover these cells; something above @most when it
  *          is worse than that. */
 static double
 ink_under (const LabelSheet *sheet, Cells cells, double most)
 {
-  int row, column, sum = 0;
+  const int stride = sheet->columns + 1;
+  const guint32 *top, *bottom;
+  guint32 sum;
 
-  for (row = cells.top; row < cells.bottom && sum <= most; row++)
-    for (column = cells.left; column < cells.right; column++) {
-      const unsigned char ink = sheet->ink[row * sheet->columns + column];
-
-      sum += ink == INK_LABEL ? COST_LABEL : ink;
-    }
+  if (cells.right <= cells.left || cells.bottom <= cells.top)
+    return 0;
+  top = &sheet->sums[cells.top * stride];
+  bottom = &sheet->sums[cells.bottom * stride];
+  sum = bottom[cells.right] - bottom[cells.left] - top[cells.right]
+        + top[cells.left];
+  if (sum <= most && has_label (sheet, cells))
+    return sum + COST_LABEL;
   return sum;
 }
 
@@ -232,6 +273,7 @@ label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels)
 {
   uint32_t i;
 
+  sum_ink (sheet);
   for (i = 0; i < n_labels; i++)
     if (labels[i].is_important)
       place (sheet, &labels[i]);

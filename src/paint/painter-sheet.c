@@ -180,11 +180,24 @@ looks_into (const Painter *painter, const SceneItem *rim)
   return projection->eye.z > painter->scene->points[rim->first].z;
 }
 
+/* Returns: the corners of the picture of all of the paraboloid. */
+static GArray *
+outline_of (const Painter *painter, const SceneItem *rim)
+{
+  GArray *pixels = pixels_of (painter, rim, N_RINGS);
+  GArray *hull;
+
+  if (pixels->len < 3)
+    return pixels;
+  hull = hull_of (pixels);
+  g_array_unref (pixels);
+  return hull;
+}
+
 /* Through the rim one side is seen, and the other one everywhere else. */
 static void
-fill_side (Painter *painter, const SceneItem *rim, bool is_near)
+fill_side (Painter *painter, const SceneItem *rim, GArray *all, bool is_near)
 {
-  g_autoptr (GArray) all = pixels_of (painter, rim, N_RINGS);
   g_autoptr (GArray) opening = pixels_of (painter, rim, 1);
   Style style = painter->theme->styles[ROLE_SHEET];
   Stroke *stroke;
@@ -201,9 +214,8 @@ fill_side (Painter *painter, const SceneItem *rim, bool is_near)
 
 /* Where the sheet turns from one side to the other. */
 static void
-add_outline (Painter *painter, const SceneItem *rim)
+add_outline (Painter *painter, const SceneItem *rim, GArray *all)
 {
-  g_autoptr (GArray) all = pixels_of (painter, rim, N_RINGS);
   Style style = theme_style (painter->theme, rim);
 
   style.line.alpha *= 0.75 * (1 - rim->fade);
@@ -223,9 +235,11 @@ painter_add_sheet (Painter *painter, bool is_near)
   if (rim == NULL)
     return;
   if (!is_near) {
-    fill_side (painter, rim, false);
-    fill_side (painter, rim, true);
-    add_outline (painter, rim);
+    g_autoptr (GArray) all = outline_of (painter, rim);
+
+    fill_side (painter, rim, all, false);
+    fill_side (painter, rim, all, true);
+    add_outline (painter, rim, all);
   }
   for (i = 0; i < scene->n_items; i++) {
     const SceneItem *item = &scene->items[i];

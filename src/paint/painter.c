@@ -16,6 +16,7 @@
 /* Between the sites of a crowd; where there is less room, all is smaller. */
 #define ROOMY_PX 38.0
 #define SIZE_LEAST 0.25
+#define DASH_LEAST 2.8   /* of the lifts */
 #define LEAST_RADIUS 1.3 /* of a mark; what is smaller is left out */
 
 /* Shade of a facet seen edge-on; face-on it is 1. */
@@ -96,8 +97,14 @@ adapt_to_crowd (const Painter *painter, const SceneItem *item, Style *style)
 
   scale_style (style, size);
   style->radius *= size;
-  if (item->role == ROLE_LIFT && !is_loud)
-    style->line.alpha *= size * size;
+  if (item->role != ROLE_LIFT || is_loud)
+    return;
+  style->line.alpha *= size * size;
+  /* So many dashes, so short, are a paler line. */
+  if (style->dash < DASH_LEAST && style->dash > 0) {
+    style->line.alpha *= style->dash / (style->dash + style->gap);
+    style->dash = style->gap = 0;
+  }
 }
 
 Style

@@ -16,6 +16,16 @@ typedef struct ThinLine {
   uint32_t colour;
 } ThinLine;
 
+/* floor(), without asking the library; the places of a line lie near the
+ * picture. */
+static int
+floor_of (float value)
+{
+  const int whole = (int)value;
+
+  return whole - ((float)whole > value);
+}
+
 /* How much of the column from @from to @to is dash, 0 … 1. */
 static float
 dash_part (const ThinLine *line, float from, float to)
@@ -23,7 +33,7 @@ dash_part (const ThinLine *line, float from, float to)
   const float a = line->phase + (from - line->start) * line->pace;
   const float b = line->phase + (to - line->start) * line->pace;
   const float low = a < b ? a : b, high = a < b ? b : a;
-  const float turn = floorf (low / line->period) * line->period;
+  const float turn = (float)floor_of (low / line->period) * line->period;
   float sum = 0, at;
 
   for (at = turn; at < high; at += line->period) {
@@ -44,7 +54,7 @@ paint_column (const ThinLine *line, int column, float part)
   const float middle
       = line->at_start + ((from + to) / 2 - line->start) * line->slope;
   const float low = middle - line->half, high = middle + line->half;
-  const int first = (int)floorf (low);
+  const int first = floor_of (low);
   uint32_t *pixel = line->grid->pixels + (ptrdiff_t)column * line->along
                     + (ptrdiff_t)first * line->across;
   int row;
@@ -62,7 +72,7 @@ paint_column (const ThinLine *line, int column, float part)
 static void
 paint (const ThinLine *line)
 {
-  const int from = (int)floorf (line->start);
+  const int from = floor_of (line->start);
   const int column = from > line->first ? from : line->first;
   int i;
 

@@ -1,6 +1,7 @@
-/* view-bench [FRAMES]: what the two views cost, 1000 × 1000 px, beside what
- * they may cost. Every row is a frame as the window makes it, without the
- * window: recompute, scene, drawing, pixels. */
+/* view-bench [FRAMES [WORDS]]: what the two views cost, 1000 × 1000 px, beside
+ * what they may cost: all rows, or those that have WORDS in their names. A row
+ * is a frame as the window makes it, without the window: recompute, scene,
+ * drawing, pixels. */
 #include "easel.h"
 #include "egl-context.h"
 #include "gl-painter.h"
@@ -129,6 +130,7 @@ show_both (Views *views)
 /* Times */
 
 static guint n_frames = 15;
+static const char *words = "";
 static gboolean is_late; /* a row has missed its target */
 
 static int
@@ -336,6 +338,8 @@ measure_sites (const char *what,
 {
   Views views;
 
+  if (strstr (what, words) == NULL)
+    return;
   views_init (&views, n_sites, part);
   if (frame == hover || frame == next_step)
     show_both (&views);
@@ -353,6 +357,8 @@ measure_facets (const char *what,
 {
   Views views;
 
+  if (strstr (what, words) == NULL)
+    return;
   views_init (&views, n_facets / 2 + 2, 1);
   views.look.layers = layers;
   measure (what, target_ms, frame, &views);
@@ -425,6 +431,8 @@ main (int argc, char **argv)
   memory_keep ();
   if (argc > 1)
     n_frames = (guint)MAX (atoi (argv[1]), 3);
+  if (argc > 2)
+    words = argv[2];
   print_machine ();
   printf ("%-58s %6s %8s %8s\n", "", "target", "median", "slowest");
   measure_raster ();
