@@ -72,7 +72,8 @@ check_few_sites (Player *player, const LessonCommand *command)
                       LESSON_MAX_SITES));
 }
 
-/* Leaks */
+/* Leaks: what a person has seen is where a stop comes to rest, not what its
+ * commands pass on the way. */
 
 static void
 note_reached (Player *player)
@@ -206,6 +207,8 @@ play_question (Player *player)
   if (player->on_expect != NULL)
     check_question (player);
   session_put_step (player->session, stop->occasion.reveal);
+  if (player->is_filling)
+    note_reached (player);
 }
 
 /* Stops */
@@ -232,8 +235,6 @@ play_commands (Player *player)
       break;
     play_command (player, command);
     check_few_sites (player, command);
-    if (player->is_filling)
-      note_reached (player);
   }
   if (player->is_filling)
     note_reached (player);
