@@ -139,9 +139,10 @@ static const Row leaks[] = {
             "```ask\nbefore round 1 see\nclick visible-facets\n```\n",
     "l.md:16:1: this gives the answer away: the lesson has shown these sites "
     "beyond “before round 1 see”" },
-  { LECTURE "## S\n\n```steps\ngoto complete\ngoto start\n```\n\n"
+  { LECTURE "## S\n\n```steps\ngoto complete\n```\n\n"
+            "## T\n\n```steps\ngoto start\n```\n\n"
             "```ask\nbefore round 2 choose\nclick furthest-site\n```\n",
-    "l.md:15:1: this gives the answer away" },
+    "l.md:20:1: this gives the answer away" },
   { LECTURE "## S\n\n```ask\nbefore round 1 see\ndelta\n```\n\n## T\n\n"
             "```ask\nbefore round 1 horizon\nclick horizon\n```\n",
     "l.md:17:1: this gives the answer away" },
