@@ -9,6 +9,7 @@
 struct _CodePanel {
   GtkBox parent_instance;
   Session *session;
+  GtkLabel *title;
   GtkListBox *lines;
   const PseudocodeLine *shown; /* the listing */
   guint current;               /* line, or INDEX_NONE */
@@ -65,6 +66,8 @@ show_listing (CodePanel *panel)
         GTK_WIDGET (gtk_list_box_get_row_at_index (panel->lines, 0)));
   for (guint i = 0; i < n_lines; i++)
     add_line (panel, &lines[i]);
+  gtk_label_set_text (panel->title,
+                      _ (session_get_listing_title (panel->session)));
   panel->shown = lines;
   panel->current = INDEX_NONE;
 }
@@ -86,7 +89,7 @@ static void
 on_changed (Session *session, guint changes, CodePanel *panel)
 {
   (void)session;
-  if (changes & (CHANGED_SITES | CHANGED_STEP))
+  if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_STAGING))
     update (panel);
 }
 
@@ -115,6 +118,7 @@ code_panel_class_init (CodePanelClass *class)
   G_OBJECT_CLASS (class)->dispose = code_panel_dispose;
   gtk_widget_class_set_template_from_resource (
       widget_class, "/io/github/hull2vd/Hull2VD/code-panel.ui");
+  gtk_widget_class_bind_template_child (widget_class, CodePanel, title);
   gtk_widget_class_bind_template_child (widget_class, CodePanel, lines);
 }
 

@@ -259,6 +259,7 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (plane_readout);
   BIND (plane_title);
   BIND (space_title);
+  BIND (plane_box);
   BIND (space_box);
   BIND (lesson_panel);
   BIND (code_panel);

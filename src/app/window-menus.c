@@ -70,6 +70,22 @@ static const MenuRow view_rows[] = {
   { NULL, NULL },
 };
 
+static const MenuRow picture_rows[] = {
+  { N_ ("_Both Pictures"), "views::both" },
+  { N_ ("_Plane Alone"), "views::plane" },
+  { N_ ("_Space Alone"), "views::space" },
+  { NULL, NULL },
+};
+
+static const MenuRow listing_rows[] = {
+  { N_ ("_QuickHull"), "listing::quickhull" },
+  { N_ ("_Hull, as Printed in 2004"), "listing::hull-2004" },
+  { N_ ("Hull, _Corrected"), "listing::hull-corrected" },
+  { N_ ("_Diagrams, as Printed in 2004"), "listing::diagrams-2004" },
+  { N_ ("Diagrams, C_orrected"), "listing::diagrams-corrected" },
+  { NULL, NULL },
+};
+
 static const MenuRow theme_rows[] = {
   { N_ ("_Light"), "theme::light" },
   { N_ ("_Paper of 2004"), "theme::paper" },
@@ -133,8 +149,12 @@ append_looks (GMenu *menu)
                                     { N_ ("Size of Mar_ks"), "mark-scale" },
                                     { N_ ("Si_ze of Names"), "text-scale" } };
   g_autoptr (GMenu) section = g_menu_new ();
+  g_autoptr (GMenuModel) pictures = make_menu (picture_rows, NULL);
+  g_autoptr (GMenuModel) listings = make_menu (listing_rows, NULL);
   g_autoptr (GMenuModel) themes = make_menu (theme_rows, NULL);
 
+  g_menu_append_submenu (section, _ ("Pic_tures"), pictures);
+  g_menu_append_submenu (section, _ ("Listin_g"), listings);
   g_menu_append_submenu (section, _ ("The_me"), themes);
   for (guint i = 0; i < G_N_ELEMENTS (scales); i++) {
     g_autoptr (GMenuModel) submenu = make_scale_menu (scales[i].action);
@@ -156,8 +176,10 @@ on_lessons_wanted (GtkToggleButton *button, GMenu *menu)
   lessons = lesson_list_new ();
   for (guint i = 0; i < lessons->len; i++) {
     const LessonEntry *entry = g_ptr_array_index (lessons, i);
-    g_autofree char *text = g_strdup_printf (
-        "%u   %s", lesson_list_number (entry->path), entry->title);
+    const guint number = lesson_list_number (entry->path);
+    g_autofree char *text
+        = number > 0 ? g_strdup_printf ("%u   %s", number, entry->title)
+                     : g_strdup (entry->title);
     g_autoptr (GMenuItem) item = g_menu_item_new (text, NULL);
 
     g_menu_item_set_action_and_target (item, "win.open-file", "s", entry->path);

@@ -8,20 +8,33 @@ set_title (Hull2vdWindow *window, guint pane, GtkLabel *label)
   gtk_label_set_text (label, title);
 }
 
+/* A picture that the exhibit does not have is not missed. */
+static void
+show_panes (Hull2vdWindow *window)
+{
+  const gboolean has_second
+      = session_get_pane (window->session, 1) != PANE_NONE;
+  const Views views = session_get_views (window->session);
+
+  gtk_widget_set_visible (window->space_box,
+                          has_second && views != VIEWS_PLANE);
+  gtk_widget_set_visible (window->plane_box,
+                          !has_second || views != VIEWS_SPACE);
+}
+
 static void
 update (Hull2vdWindow *window)
 {
   set_title (window, 0, window->plane_title);
   set_title (window, 1, window->space_title);
-  gtk_widget_set_visible (window->space_box,
-                          session_get_pane (window->session, 1) != PANE_NONE);
+  show_panes (window);
 }
 
 static void
 on_changed (Session *session, guint changes, Hull2vdWindow *window)
 {
   (void)session;
-  if (changes & CHANGED_EXHIBIT)
+  if (changes & (CHANGED_EXHIBIT | CHANGED_STAGING))
     update (window);
 }
 

@@ -58,7 +58,7 @@ struct _Hull2vdWindow {
   GtkWidget *generate_dialog; /* NULL: not asked for yet */
   GtkWidget *space_window;    /* NULL: space is in this window */
   GtkLabel *plane_title, *space_title;
-  GtkWidget *space_box;
+  GtkWidget *plane_box, *space_box;
   LessonPanel *lesson_panel;
   CodePanel *code_panel;
   CountersPanel *counters_panel;

@@ -51,6 +51,8 @@ ACTION_RUN (action_theme);
 ACTION_RUN (action_scale); /* data: ActionScale */
 
 ACTION_RUN (action_view);
+ACTION_RUN (action_views);
+ACTION_RUN (action_listing);
 
 ACTION_RUN (action_order);
 ACTION_RUN (action_add_site);
@@ -87,6 +89,8 @@ ACTION_STATE (action_state_stop); /* from 1; 0: no lesson */
 ACTION_STATE (action_state_n_stops);
 ACTION_STATE (action_state_n_sites);
 ACTION_STATE (action_state_order);
+ACTION_STATE (action_state_views);
+ACTION_STATE (action_state_listing);
 ACTION_STATE (action_state_view);
 ACTION_STATE (action_state_play);
 ACTION_STATE (action_state_step_size);

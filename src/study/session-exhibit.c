@@ -202,17 +202,24 @@ const PseudocodeLine *
 session_get_lines (Session *session, guint *n_lines)
 {
   return shows_lifts (session)
-             ? pseudocode_lines (n_lines)
+             ? listing_lines (session->listing, n_lines)
              : exhibit_lines (session_get_exhibit (session), n_lines);
+}
+
+const char *
+session_get_listing_title (Session *session)
+{
+  return listing_title (shows_lifts (session) ? session->listing
+                                              : LISTING_QUICKHULL);
 }
 
 guint
 session_get_line (Session *session)
 {
-  return shows_lifts (session)
-             ? pseudocode_line (session->run->trace, session->step)
-             : exhibit_line (session_get_exhibit (session),
-                             session->exhibit_step);
+  return shows_lifts (session) ? listing_line (
+             session->listing, session->run->trace, session->step)
+                               : exhibit_line (session_get_exhibit (session),
+                                               session->exhibit_step);
 }
 
 gboolean

@@ -12,6 +12,8 @@ session_get_state (Session *session)
   state->look = session->look;
   state->exhibit_kind = session->exhibit_kind;
   state->exhibit_step = session->exhibit_step;
+  state->views = session->views;
+  state->listing = session->listing;
   state->camera = session->camera;
   state->told_theme = session->told_theme;
   return state;
@@ -41,6 +43,7 @@ put_look (Session *session, const StopState *from, const StopState *state)
   session_tell (session, CHANGED_LOOK);
   if (from == NULL || !camera_equal (&from->camera, &state->camera))
     session_set_camera (session, &state->camera);
+  session_put_staging (session, from, state);
   if (from == NULL || from->told_theme != state->told_theme)
     session_tell_theme (session, state->told_theme);
 }

@@ -298,6 +298,7 @@ lesson_fill_states (Lesson *lesson, LessonFaults *faults)
   }
   session_put_step (session, 0);
   session_tell_theme (session, lesson->theme);
+  session_set_views (session, lesson->views);
   lesson->start = session_get_state (session);
   session->lesson = lesson_ref (lesson);
   session->n_sites_made = lesson->n_sites;

@@ -22,6 +22,9 @@ struct _Session {
   Exhibit *exhibit; /* of the run; NULL: the lifts, or not made yet */
   guint exhibit_step;
 
+  Views views;
+  Listing listing;
+
   SceneLook look;
   GArray *selected; /* guint32: what look.selected points to */
   gboolean is_free; /* the mouse does not snap */
@@ -141,6 +144,12 @@ StopState *session_get_state (Session *session);
 void session_put_state (Session *session,
                         const StopState *from,
                         const StopState *state);
+
+/* Puts the views and the listing of a stop in place, but those that a person
+ * has chosen since @from; @from NULL: all of them. */
+void session_put_staging (Session *session,
+                          const StopState *from,
+                          const StopState *state);
 
 /* Remembers that a lesson's own sites took the place of others. */
 void session_remember (Session *session, const Run *before, char *edit);

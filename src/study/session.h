@@ -16,6 +16,7 @@
 #include "exercise.h"
 #include "exhibit.h"
 #include "lesson.h"
+#include "listing.h"
 #include "scene.h"
 
 #include <gio/gio.h>
@@ -33,9 +34,10 @@ typedef enum SessionChange {
   CHANGED_APPEARANCE = 1 << 7, /* theme and sizes */
   CHANGED_QUESTION = 1 << 8,   /* what is answered, and how right it is; another
                                   question is CHANGED_LESSON */
-  CHANGED_EXHIBIT = 1 << 9, /* what is shown of the sites; then sites and step
-                               are said to have changed as well */
-  CHANGED_WORK = 1 << 10,   /* a large set is worked on, or no longer */
+  CHANGED_EXHIBIT = 1 << 9,  /* what is shown of the sites; then sites and step
+                                are said to have changed as well */
+  CHANGED_WORK = 1 << 10,    /* a large set is worked on, or no longer */
+  CHANGED_STAGING = 1 << 11, /* which pictures, which listing */
 } SessionChange;
 
 /* What "next" means. */
@@ -197,6 +199,12 @@ ExhibitKind session_get_exhibit_kind (Session *session);
 void session_set_exhibit_kind (Session *session, ExhibitKind kind);
 Exhibit *session_get_exhibit (Session *session); /* NULL: the lifts */
 
+/* Which pictures there are, and which listing the code panel shows. */
+Views session_get_views (Session *session);
+void session_set_views (Session *session, Views views);
+Listing session_get_listing (Session *session);
+void session_set_listing (Session *session, Listing listing);
+
 /* The two pictures, 0 on the left and 1 on the right. */
 typedef enum Pane {
   PANE_NONE,
@@ -224,8 +232,9 @@ SiteState session_get_site_state (Session *session, guint site);
 /* Returns: the site of the round in hand or of the last one, or INDEX_NONE. */
 guint session_get_apex (Session *session);
 
-/* The listing, and its line at the step: INDEX_NONE for none. */
+/* The listing, its heading, and its line at the step: INDEX_NONE for none. */
 const PseudocodeLine *session_get_lines (Session *session, guint *n_lines);
+const char *session_get_listing_title (Session *session);
 guint session_get_line (Session *session);
 
 /* The number that expect calls @key: of what is shown; else of the lifts.

@@ -14,6 +14,8 @@ struct StopState {
   ExhibitKind exhibit_kind;
   guint exhibit_step; /* of another exhibit */
   SceneLook look;     /* without what the pointer makes of it */
+  Views views;
+  Listing listing;
   Camera camera;
   int told_theme; /* ThemeKind, or -1: the lesson tells none */
 };
