@@ -10,10 +10,8 @@
 enum { N_WARM = 10, N_TIMES = 50, BYTES_ALLOWED = 8 << 10 };
 
 static const char *const documents[] = {
-  "lessons/07-one-insertion-inside.md",
-  "lessons/09-when-sites-tie.md",
-  "tests/corpus/kettner-a1.txt",
-  "tests/corpus/grid5.txt",
+  "lessons/07-one-insertion-inside.md", "lessons/09-when-sites-tie.md",
+  "tests/corpus/kettner-a1.txt",        "tests/corpus/grid5.txt",
   "tests/corpus/bad-word.txt",
 };
 
