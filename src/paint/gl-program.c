@@ -4,16 +4,11 @@
 
 #include <epoxy/gl.h>
 
-/* Ends each line of the shaders as they were made strings. */
+/* Ends each line of the shaders, which are strings by now. */
 #define NEWLINE "\n"
 
-static const char vertex_source[] =
-#include "stroke-vertex.inc"
-    ;
-
-static const char fragment_source[] =
-#include "stroke-fragment.inc"
-    ;
+#include "stroke-fragment.h"
+#include "stroke-vertex.h"
 
 /* The same shaders for both kinds of GL. */
 static const char *
@@ -74,9 +69,9 @@ gl_program_new (GError **error)
   unsigned shaders[2] = { 0, 0 };
   unsigned program = 0;
 
-  shaders[0] = compile (GL_VERTEX_SHADER, vertex_source, error);
+  shaders[0] = compile (GL_VERTEX_SHADER, stroke_vertex, error);
   if (shaders[0] != 0)
-    shaders[1] = compile (GL_FRAGMENT_SHADER, fragment_source, error);
+    shaders[1] = compile (GL_FRAGMENT_SHADER, stroke_fragment, error);
   if (shaders[1] != 0) {
     program = glCreateProgram ();
     if (!link_program (program, shaders, error)) {

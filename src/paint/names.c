@@ -108,24 +108,37 @@ set_text (Names *names, const char *text, NameFace face)
   pango_font_description_free (font);
 }
 
+/* Returns: the number of a new name. */
+static uint32_t
+add_name (Names *names, const char *text, NameFace face)
+{
+  const guint number = names->names->len;
+  Name *name;
+
+  g_array_set_size (names->names, number + 1);
+  name = &g_array_index (names->names, Name, number);
+  name->text = g_strdup (text);
+  name->face = face;
+  set_text (names, text, face);
+  pango_layout_get_pixel_extents (names->layout, &name->ink, NULL);
+  return number;
+}
+
 uint32_t
 names_find (Names *names, const char *text, NameFace face)
 {
   char key[40];
-  gpointer number;
-  Name name = { .face = face };
+  gpointer known;
+  uint32_t number;
 
   g_snprintf (key, sizeof key, "%d%s", face, text);
-  number = g_hash_table_lookup (names->numbers, key);
-  if (number != NULL)
-    return GPOINTER_TO_UINT (number) - 1;
-  set_text (names, text, face);
-  pango_layout_get_pixel_extents (names->layout, &name.ink, NULL);
-  name.text = g_strdup (text);
-  g_array_append_val (names->names, name);
+  known = g_hash_table_lookup (names->numbers, key);
+  if (known != NULL)
+    return GPOINTER_TO_UINT (known) - 1;
+  number = add_name (names, text, face);
   g_hash_table_insert (names->numbers, g_strdup (key),
-                       GUINT_TO_POINTER (names->names->len));
-  return names->names->len - 1;
+                       GUINT_TO_POINTER (number + 1));
+  return number;
 }
 
 static Name *
