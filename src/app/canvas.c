@@ -418,7 +418,6 @@ canvas_init (Canvas *canvas)
 {
   CanvasPrivate *p = priv (canvas);
 
-  p->pane = HULL2VD_CANVAS_GET_CLASS (canvas)->is_space ? 1 : 0;
   gtk_widget_set_can_focus (GTK_WIDGET (canvas), TRUE);
   canvas_input_attach (canvas, p->gestures, p->controllers);
   g_signal_connect (canvas, "notify::scale-factor",

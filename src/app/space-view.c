@@ -229,6 +229,7 @@ space_view_class_init (SpaceViewClass *class)
 static void
 space_view_init (SpaceView *view)
 {
+  canvas_set_pane (HULL2VD_CANVAS (view), 1);
   view->glide = camera_glide_new (HULL2VD_CANVAS (view));
   view->motion = step_motion_new (HULL2VD_CANVAS (view));
 }
