@@ -262,6 +262,30 @@ test_another_is_about_other_sites (void)
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
 }
 
+/* The author saves another form of the lesson: the stop is kept by its
+ * title. */
+static void
+test_a_changed_lesson_keeps_the_stop (void)
+{
+  g_autoptr (Session) session = begin ();
+  g_auto (GStrv) parts = g_strsplit (lesson_text, "## Which?", 2);
+  g_autofree char *text = g_strconcat (
+      parts[0], "## New\n\n```steps\nviews plane\n```\n\n## Which?", parts[1],
+      NULL);
+  g_autoptr (Lesson) lesson = lesson_parse (text, strlen (text), "l.md", NULL);
+  Camera camera = *session_get_camera (session);
+
+  session_set_stop (session, 2);
+  camera.zoom = 3;
+  session_set_camera (session, &camera);
+  session_renew_lesson (session, lesson);
+  g_assert_true (session_get_lesson (session) == lesson);
+  g_assert_cmpuint (session_get_stop (session), ==, 3);
+  g_assert_cmpfloat (session_get_camera (session)->zoom, ==, 3);
+  g_assert_cmpint (session_get_views (session), ==, VIEWS_PLANE);
+  assert_state (session, "open");
+}
+
 static void
 test_what_is_no_answer_is_refused (void)
 {
@@ -300,6 +324,8 @@ static const struct {
     test_a_drag_is_right_when_it_is_let_go },
   { "/exercise/another-is-about-other-sites",
     test_another_is_about_other_sites },
+  { "/exercise/a-changed-lesson-keeps-the-stop",
+    test_a_changed_lesson_keeps_the_stop },
   { "/exercise/what-is-no-answer-is-refused",
     test_what_is_no_answer_is_refused },
 };

@@ -1,4 +1,5 @@
 #include "expect.h"
+#include "lesson-copy.h"
 #include "lesson-text.h"
 #include "lesson.h"
 #include "question-click.h"
@@ -200,6 +201,33 @@ test_a_lesson_that_is_not_there_cannot_be_opened (void)
   g_assert_error (error, LESSON_ERROR, LESSON_ERROR_CANNOT_OPEN);
 }
 
+/* A copy is a lesson of its own: nothing that is there is written over. */
+static void
+test_a_copy_takes_a_free_name (void)
+{
+  char *folder = make_folder ();
+  g_autofree char *mine = g_build_filename (folder, "mine", NULL);
+  g_autofree char *second = g_build_filename (mine, "l-2.md", NULL);
+  g_autoptr (GError) error = NULL;
+  g_autoptr (Lesson) lesson = NULL;
+
+  put_file (folder, "sites/three.txt", "0 0\n1 0\n0 1\n");
+  lesson = load_with_sites (folder, "sites/three.txt", &error);
+  g_assert_no_error (error);
+  /* Its path, for messages, is that of the file. */
+  for (guint i = 0; i < 2; i++) {
+    g_autofree char *path = lesson_copy (lesson, mine, &error);
+    g_autoptr (Lesson) copy = NULL;
+
+    g_assert_no_error (error);
+    copy = lesson_load (path, &error);
+    g_assert_no_error (error);
+    g_assert_cmpuint (copy->n_sites, ==, 3);
+    g_assert_cmpint (g_str_equal (path, second), ==, i == 1);
+  }
+  remove_folder (folder);
+}
+
 static void
 test_names_cannot_steer_a_terminal (void)
 {
@@ -266,6 +294,7 @@ static const struct {
     test_links_inside_the_folder_are_followed },
   { "/lesson/a-lesson-that-is-not-there-cannot-be-opened",
     test_a_lesson_that_is_not_there_cannot_be_opened },
+  { "/lesson/a-copy-takes-a-free-name", test_a_copy_takes_a_free_name },
   { "/lesson/names-cannot-steer-a-terminal",
     test_names_cannot_steer_a_terminal },
   { "/lesson/an-endless-file-is-refused", test_an_endless_file_is_refused },

@@ -198,7 +198,7 @@ canvas_accessible_update (GtkWidget *canvas, guint changes)
 
   if (accessible == NULL)
     return;
-  if (changes & CHANGED_SITES) {
+  if (changes & (CHANGED_SITES | CHANGED_LESSON | CHANGED_QUESTION)) {
     Session *session = canvas_get_session (HULL2VD_CANVAS (canvas));
 
     renew_children (accessible, session_get_set (session)->n_sites);

@@ -1,5 +1,6 @@
 #include "canvas-input.h"
 
+#include "answer-objects.h"
 #include "canvas-touch.h"
 #include "site-edit.h"
 
@@ -137,7 +138,9 @@ on_drag_end (GtkGesture *gesture, double dx, double dy, Canvas *canvas)
   (void)gesture;
   (void)dx;
   (void)dy;
-  if (input->is_click && input->n_presses == 2)
+  if (input->is_click && session_is_asking (canvas_get_session (canvas)))
+    canvas_answer (canvas, input->press.object);
+  else if (input->is_click && input->n_presses == 2)
     get_class (canvas)->double_click (canvas, &input->press);
   else if (input->is_click)
     get_class (canvas)->click (canvas, &input->press);

@@ -1,5 +1,6 @@
 #include "canvas-keys.h"
 
+#include "answer-objects.h"
 #include "canvas-menu.h"
 #include "site-edit.h"
 
@@ -97,6 +98,8 @@ canvas_key_press (GtkWidget *widget, GdkEventKey *event)
   if (!canvas_wants_key (canvas, event))
     return gtk_bindings_activate_event (G_OBJECT (widget), event);
   canvas_show_focus (canvas, TRUE);
+  if (is_joining (event) && session_is_asking (canvas_get_session (canvas)))
+    return FALSE;
   if (is_joining (event)) {
     session_toggle_site (canvas_get_session (canvas),
                          canvas_get_cursor (canvas).number);
@@ -110,8 +113,7 @@ canvas_key_press (GtkWidget *widget, GdkEventKey *event)
     return TRUE;
   }
   if (is_return (event->keyval)) {
-    session_set_selection (canvas_get_session (canvas),
-                           canvas_get_cursor (canvas));
+    canvas_answer (canvas, canvas_get_cursor (canvas));
     return TRUE;
   }
   if (canvas_arrow (event->keyval, by)

@@ -49,7 +49,11 @@ list_corners (Session *session, Object object, uint32_t corners[3])
     corners[0] = object.number;
     return 1;
   }
-  if (object.kind != OBJECT_FACET)
+  if (object.kind == OBJECT_RIDGE && object.number < trace->n_ridges) {
+    memcpy (corners, trace->ridges[object.number].site, 2 * sizeof corners[0]);
+    return 2;
+  }
+  if (object.kind != OBJECT_FACET && object.kind != OBJECT_VERTEX)
     return 0;
   if (trace->is_flat && object.number < frame->delaunay.n_triangles)
     memcpy (corners, frame->delaunay.triangles[object.number].site,

@@ -146,6 +146,9 @@ canvas_menu_popup (Canvas *canvas, Object object, const double at_px[2])
   g_autoptr (GdkEvent) trigger = make_trigger (GTK_WIDGET (canvas));
   GtkWidget *menu;
 
+  /* What it offers edits the sites that a question is about. */
+  if (session_is_asking (canvas_get_session (canvas)))
+    return;
   select_for_menu (canvas, object);
   menu = make_menu (canvas, object, at_px);
   gtk_menu_popup_at_rect (

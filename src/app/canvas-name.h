@@ -6,8 +6,9 @@
 
 G_BEGIN_DECLS
 
-/* Returns: (transfer full): "s3 (0.5, 1), on the hull". Coordinates are exact:
- *          the fewest digits that read back the same. */
+/* Returns: (transfer full): "s3 (0.5, 1), on the hull"; while a question is
+ *          open, what would not answer it, and whether it is chosen.
+ * Coordinates are exact: the fewest digits that read back the same. */
 char *canvas_name_object (Session *session, Object object);
 
 /* Returns: (transfer full): "s3 (0.5, 1)". */

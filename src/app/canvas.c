@@ -1,5 +1,6 @@
 #include "canvas.h"
 
+#include "answer-objects.h"
 #include "canvas-accessible.h"
 #include "canvas-input.h"
 #include "canvas-keys.h"
@@ -126,8 +127,11 @@ Object
 canvas_pick (Canvas *canvas, const double at_px[2])
 {
   const Projection projection = canvas_get_projection (canvas);
+  const Scene *scene = canvas_get_scene (canvas);
 
-  return scene_pick (canvas_get_scene (canvas), &projection, at_px, REACH_PX);
+  if (session_is_answering (priv (canvas)->session))
+    return answer_objects_pick (canvas, scene, at_px, REACH_PX);
+  return scene_pick (scene, &projection, at_px, REACH_PX);
 }
 
 gboolean

@@ -75,7 +75,9 @@ show_listing (CodePanel *panel)
 static void
 update (CodePanel *panel)
 {
-  const guint line = session_get_line (panel->session);
+  const guint line = session_is_asking (panel->session)
+                         ? INDEX_NONE
+                         : session_get_line (panel->session);
 
   show_listing (panel);
   if (line == panel->current)
@@ -89,7 +91,9 @@ static void
 on_changed (Session *session, guint changes, CodePanel *panel)
 {
   (void)session;
-  if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_STAGING))
+  if (changes
+      & (CHANGED_SITES | CHANGED_STEP | CHANGED_STAGING | CHANGED_LESSON
+         | CHANGED_QUESTION))
     update (panel);
 }
 

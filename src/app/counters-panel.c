@@ -42,6 +42,8 @@ update (CountersPanel *panel)
 {
   g_autoptr (GPtrArray) laws = session_get_laws (panel->session);
 
+  if (session_is_asking (panel->session))
+    laws_hide (laws);
   ensure_rows (panel, laws->len);
   for (guint i = 0; i < panel->values->len; i++) {
     GtkWidget *name = g_ptr_array_index (panel->names, i);
@@ -61,7 +63,8 @@ static void
 on_changed (Session *session, guint changes, CountersPanel *panel)
 {
   (void)session;
-  if (changes & (CHANGED_SITES | CHANGED_STEP))
+  if (changes
+      & (CHANGED_SITES | CHANGED_STEP | CHANGED_LESSON | CHANGED_QUESTION))
     update (panel);
 }
 

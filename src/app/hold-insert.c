@@ -64,6 +64,7 @@ on_pressed (GtkGesture *gesture, double x, double y, HoldInsert *hold)
   const double at_px[2] = { x, y };
 
   if (is_by_touch (gesture) || means_something_else (hold->canvas)
+      || session_is_asking (session)
       || site_preview_is_on_site (hold->canvas, at_px))
     return;
   canvas_input_give_up (hold->canvas);

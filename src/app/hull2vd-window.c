@@ -220,6 +220,7 @@ hull2vd_window_dispose (GObject *object)
 
   if (window->session != NULL)
     session_cancel (window->session);
+  g_clear_pointer (&window->watch, lesson_watch_free);
   g_clear_object (&window->session);
   g_clear_object (&window->settings);
   g_clear_pointer (&window->path, g_free);

@@ -1,18 +1,22 @@
 #include "lesson-panel.h"
 
 #include "prose.h"
+#include "question-card.h"
 
 #include <glib/gi18n.h>
 
 struct _LessonPanel {
-  GtkScrolledWindow parent_instance;
+  GtkBox parent_instance;
   Session *session;
+  GtkScrolledWindow *scroll;
+  QuestionCard *card;
+  GtkLabel *faults;
   GtkTextView *text;
   GtkTextTag *heading;
   GtkTextTag *intro;
 };
 
-G_DEFINE_TYPE (LessonPanel, lesson_panel, GTK_TYPE_SCROLLED_WINDOW)
+G_DEFINE_TYPE (LessonPanel, lesson_panel, GTK_TYPE_BOX)
 
 static void
 add_heading (LessonPanel *panel, const char *title)
@@ -96,8 +100,29 @@ update (LessonPanel *panel)
     show_stop (panel, lesson, stop);
   else
     show_freedom (panel);
-  gtk_adjustment_set_value (
-      gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (panel)), 0);
+  gtk_adjustment_set_value (gtk_scrolled_window_get_vadjustment (panel->scroll),
+                            0);
+}
+
+/* More of them would push the text away. */
+#define MOST_FAULTS 6
+
+void
+lesson_panel_set_faults (LessonPanel *panel, const LessonFaults *faults)
+{
+  const guint n = faults == NULL ? 0 : faults->errors->len;
+  g_autoptr (GString) text = g_string_new (NULL);
+
+  for (guint i = 0; i < MIN (n, MOST_FAULTS); i++)
+    g_string_append_printf (
+        text, "%s\n",
+        ((const GError *)g_ptr_array_index (faults->errors, i))->message);
+  if (n > MOST_FAULTS)
+    g_string_append_printf (text, _ ("and %u more\n"), n - MOST_FAULTS);
+  if (n > 0)
+    g_string_append (text, _ ("The lesson runs on as it was before."));
+  gtk_label_set_text (panel->faults, text->str);
+  gtk_widget_set_visible (GTK_WIDGET (panel->faults), n > 0);
 }
 
 static void
@@ -115,6 +140,7 @@ lesson_panel_set_session (LessonPanel *panel, Session *session)
   panel->session = g_object_ref (session);
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), panel,
                            0);
+  question_card_set_session (panel->card, session);
   update (panel);
 }
 
@@ -131,9 +157,13 @@ lesson_panel_class_init (LessonPanelClass *class)
   GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
 
   G_OBJECT_CLASS (class)->dispose = lesson_panel_dispose;
+  g_type_ensure (QUESTION_CARD_TYPE);
   gtk_widget_class_set_template_from_resource (
       widget_class, "/io/github/hull2vd/Hull2VD/lesson-panel.ui");
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, text);
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel, scroll);
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel, card);
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel, faults);
 }
 
 static void

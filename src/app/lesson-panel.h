@@ -1,5 +1,5 @@
 /* What the student reads at the current stop; without a lesson, what can be
- * done. */
+ * done. The question of the stop stands below it. */
 #ifndef LESSON_PANEL_H
 #define LESSON_PANEL_H
 
@@ -10,10 +10,13 @@
 G_BEGIN_DECLS
 
 #define LESSON_PANEL_TYPE (lesson_panel_get_type ())
-G_DECLARE_FINAL_TYPE (
-    LessonPanel, lesson_panel, HULL2VD, LESSON_PANEL, GtkScrolledWindow)
+G_DECLARE_FINAL_TYPE (LessonPanel, lesson_panel, HULL2VD, LESSON_PANEL, GtkBox)
 
 void lesson_panel_set_session (LessonPanel *panel, Session *session);
+
+/* Tells what is wrong with the lesson's file, in place; NULL or none: nothing
+ * is. */
+void lesson_panel_set_faults (LessonPanel *panel, const LessonFaults *faults);
 
 G_END_DECLS
 

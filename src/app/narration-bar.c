@@ -113,7 +113,8 @@ on_changed (Session *session, guint changes, NarrationBar *bar)
 {
   (void)session;
   if (changes
-      & (CHANGED_SITES | CHANGED_STEP | CHANGED_APPEARANCE | CHANGED_LOOK))
+      & (CHANGED_SITES | CHANGED_STEP | CHANGED_LESSON | CHANGED_QUESTION
+         | CHANGED_APPEARANCE | CHANGED_LOOK))
     update (bar);
 }
 

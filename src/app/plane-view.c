@@ -1,5 +1,6 @@
 #include "plane-view.h"
 
+#include "answer-objects.h"
 #include "canvas-keys.h"
 #include "canvas-menu.h"
 #include "hold-insert.h"
@@ -201,6 +202,8 @@ plane_view_drag_begin (Canvas *canvas, const CanvasPress *press)
   PlaneView *view = HULL2VD_PLANE_VIEW (canvas);
   Session *session = canvas_get_session (canvas);
 
+  if (session_is_asking (session))
+    return FALSE;
   view->is_banding = (press->modifiers & GDK_CONTROL_MASK) != 0;
   for (int corner = 0; corner < 2; corner++)
     memcpy (view->band_px[corner], press->at_px, sizeof press->at_px);
@@ -297,6 +300,8 @@ plane_view_pointer (Canvas *canvas, Object object, const double at_px[2])
       = { .object = object, .at_px = { at_px[0], at_px[1] } };
   double grip_px[2];
 
+  if (session_is_asking (canvas_get_session (canvas)))
+    return object.kind == OBJECT_NONE ? "default" : "pointer";
   if (is_on_site (canvas, &press, grip_px))
     return "grab";
   if (object.kind == OBJECT_NONE || object.kind == OBJECT_SITE)
@@ -335,7 +340,8 @@ plane_view_key (Canvas *canvas, const GdkEventKey *event)
   switch (event->keyval) {
   case GDK_KEY_Return:
   case GDK_KEY_KP_Enter:
-    if (canvas_get_cursor (canvas).kind != OBJECT_NONE)
+    if (canvas_get_cursor (canvas).kind != OBJECT_NONE
+        || session_is_asking (canvas_get_session (canvas)))
       return FALSE;
     site_edit_add (canvas, middle);
     return TRUE;
@@ -358,6 +364,8 @@ plane_view_count_objects (Canvas *canvas)
   Session *session = canvas_get_session (canvas);
   const Frame *frame = session_get_frame (session);
 
+  if (session_is_answering (session))
+    return answer_objects_count (canvas);
   return session_get_exhibit (session) != NULL
              ? frame->n_sites
              : frame->n_sites + frame->delaunay.n_triangles;
@@ -367,6 +375,9 @@ static Object
 plane_view_get_object (Canvas *canvas, guint index)
 {
   const Frame *frame = session_get_frame (canvas_get_session (canvas));
+
+  if (session_is_answering (canvas_get_session (canvas)))
+    return answer_objects_get (canvas, index);
 
   if (index < frame->n_sites)
     return (Object){ OBJECT_SITE, frame->sites[index].site };

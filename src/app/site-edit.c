@@ -18,6 +18,9 @@ site_edit_add (Canvas *canvas, Point3 point)
   Session *session = canvas_get_session (canvas);
   g_autoptr (GError) error = NULL;
 
+  /* A question is about the sites as they are. */
+  if (session_is_asking (session))
+    return;
   if (!session_add_site (session, site_edit_at (session, point), &error)) {
     canvas_fail (canvas, error);
     return;
@@ -93,7 +96,8 @@ site_edit_nudge (Canvas *canvas, const double by[2], gboolean is_far)
   Point3 point;
   double length;
 
-  if (cursor.kind != OBJECT_SITE || cursor.number >= set->n_sites)
+  if (cursor.kind != OBJECT_SITE || cursor.number >= set->n_sites
+      || session_is_asking (session))
     return FALSE;
   if (!is_nudging (canvas))
     session_begin_edit (session);
@@ -123,7 +127,8 @@ site_edit_remove (Canvas *canvas)
   g_autoptr (GError) error = NULL;
   gboolean is_removed;
 
-  if (cursor.kind != OBJECT_SITE)
+  if (cursor.kind != OBJECT_SITE
+      || session_is_asking (canvas_get_session (canvas)))
     return FALSE;
   is_removed = session_is_selected (session, cursor.number)
                    ? session_remove_selected (session, &error)

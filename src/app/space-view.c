@@ -1,5 +1,6 @@
 #include "space-view.h"
 
+#include "answer-objects.h"
 #include "camera-glide.h"
 #include "canvas-keys.h"
 #include "canvas-menu.h"
@@ -179,6 +180,9 @@ space_view_count_objects (Canvas *canvas)
 {
   const Frame *frame = session_get_frame (canvas_get_session (canvas));
 
+  if (session_is_answering (canvas_get_session (canvas)))
+    return answer_objects_count (canvas);
+
   return frame->n_sites + frame->n_facets;
 }
 
@@ -186,6 +190,9 @@ static Object
 space_view_get_object (Canvas *canvas, guint index)
 {
   const Frame *frame = session_get_frame (canvas_get_session (canvas));
+
+  if (session_is_answering (canvas_get_session (canvas)))
+    return answer_objects_get (canvas, index);
 
   if (index < frame->n_sites)
     return (Object){ OBJECT_SITE, frame->sites[index].site };

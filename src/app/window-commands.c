@@ -196,6 +196,7 @@ static const struct {
   { "open", window_files_open },
   { "save", window_files_save },
   { "save-as", window_files_save_as },
+  { "adapt-lesson", window_files_adapt },
   { "copy", run_copy },
   { "paste", run_paste },
   { "export-picture", window_picture_export },

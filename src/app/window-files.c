@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "file-dialogs.h"
+#include "lesson-copy.h"
 #include "point-import.h"
 #include "window-ask.h"
 #include "window-recent.h"
@@ -30,6 +31,15 @@ window_files_is_modified (Hull2vdWindow *window)
   return g_strcmp0 (now, window->saved) != 0;
 }
 
+/* A lesson is read again whenever its author saves it. */
+static void
+watch_lesson (Hull2vdWindow *window)
+{
+  lesson_watch_set_path (
+      window->watch,
+      session_get_lesson (window->session) != NULL ? window->path : NULL);
+}
+
 /* The file at @path is what is shown. Takes @path. */
 static void
 set_path (Hull2vdWindow *window, char *path)
@@ -45,6 +55,7 @@ show_loaded (Hull2vdWindow *window, const char *path, gboolean is_foreign)
   window->is_foreign = is_foreign;
   remember_saved (window);
   window_recent_add (path);
+  watch_lesson (window);
   gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
 }
 
@@ -100,6 +111,7 @@ begin_anew (Hull2vdWindow *window, const char *path)
   window->is_foreign = FALSE;
   session_set_lesson (window->session, NULL);
   session_set_sites (window->session, NULL, 0, NULL);
+  watch_lesson (window);
   remember_saved (window);
   gtk_info_bar_set_revealed (window->info_bar, FALSE);
 }
@@ -108,6 +120,31 @@ void
 window_files_new (Hull2vdWindow *window)
 {
   window_ask (window, ASK_NEW, begin_anew, NULL);
+}
+
+/* A lesson of one's own, in the folder of documents. */
+void
+window_files_adapt (Hull2vdWindow *window)
+{
+  const Lesson *lesson = session_get_lesson (window->session);
+  g_autofree char *folder = lesson_copy_folder ();
+  g_autofree char *path = NULL, *message = NULL;
+  g_autoptr (GError) error = NULL;
+
+  if (lesson == NULL)
+    return;
+  path = lesson_copy (lesson, folder, &error);
+  if (path == NULL) {
+    hull2vd_window_say (window, error->message);
+    return;
+  }
+  if (!window_files_load (window, path))
+    return;
+  message = g_strdup_printf (
+      _ ("This is your own copy, %s. Change it in any editor: what you save is "
+         "shown at once."),
+      path);
+  hull2vd_window_say (window, message);
 }
 
 /* Open */
@@ -291,6 +328,7 @@ window_files_init (Hull2vdWindow *window)
 {
   GtkWidget *widget = GTK_WIDGET (window);
 
+  window->watch = lesson_watch_new (window->session, window->lesson_panel);
   gtk_drag_dest_set (widget, GTK_DEST_DEFAULT_ALL, NULL, 0, GDK_ACTION_COPY);
   gtk_drag_dest_add_uri_targets (widget);
   gtk_drag_dest_add_text_targets (widget);

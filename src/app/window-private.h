@@ -10,6 +10,7 @@
 #include "hull2vd-window.h"
 #include "legend-panel.h"
 #include "lesson-panel.h"
+#include "lesson-watch.h"
 #include "narration-bar.h"
 #include "plane-view.h"
 #include "space-view.h"
@@ -34,6 +35,7 @@ struct _Hull2vdWindow {
   GSettings *settings; /* NULL: not installed */
   char *path;          /* of the points or lesson, or NULL: new sites */
   char *saved;         /* the points as they are in the file */
+  LessonWatch *watch;  /* of the lesson's file */
   gboolean is_foreign; /* the file is no point file: see point-import.h */
   char *awaited;       /* of points whose hull a thread makes, or NULL */
   guint awaited_work;  /* its number */
@@ -105,6 +107,7 @@ void window_files_open (Hull2vdWindow *window);
 void window_files_open_path (Hull2vdWindow *window, const char *path);
 void window_files_save (Hull2vdWindow *window);
 void window_files_save_now (Hull2vdWindow *window); /* for window-ask.c */
+void window_files_adapt (Hull2vdWindow *window);
 void window_files_save_as (Hull2vdWindow *window);
 void window_files_storyboard (Hull2vdWindow *window);
 gboolean window_files_load (Hull2vdWindow *window, const char *path);

@@ -41,6 +41,16 @@ sign_of (SceneBuilder *builder, const SceneAnswer *answer)
   return scene_text (builder, number);
 }
 
+/* The sign by itself, where the object has a line of its own. */
+static void
+add_sign (SceneBuilder *builder, const SceneAnswer *answer, Point3 at)
+{
+  const char *sign = sign_of (builder, answer);
+
+  if (sign != NULL)
+    scene_add_mark (builder, ROLE_FACET_NAME, answer->object, at, sign);
+}
+
 /* The middle of some sites. */
 static Point3
 middle_of (const SceneBuilder *builder,
@@ -95,8 +105,7 @@ add_facet (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
                            corner.y + ANSWER_INSET * (middle.y - corner.y),
                            corner.z + ANSWER_INSET * (middle.z - corner.z) });
   }
-  scene_add_mark (builder, role_of (answer->kind), answer->object, middle,
-                  sign_of (builder, answer));
+  add_sign (builder, answer, middle);
 }
 
 static void
@@ -109,9 +118,8 @@ add_ridge (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
     return;
   scene_add_edge (builder, role_of (answer->kind), answer->object,
                   trace->ridges[ridge].site, lifted);
-  scene_add_mark (builder, role_of (answer->kind), answer->object,
-                  middle_of (builder, trace->ridges[ridge].site, 2, lifted),
-                  sign_of (builder, answer));
+  add_sign (builder, answer,
+            middle_of (builder, trace->ridges[ridge].site, 2, lifted));
 }
 
 static void

@@ -132,6 +132,8 @@ scene_add_triangles (SceneBuilder *builder)
   const bool has_layer = scene_has_layer (builder, LAYER_DELAUNAY);
   uint32_t i;
 
+  if (builder->look->mask & MASK_FACING)
+    return;
   if (delaunay->n_triangles == 0 && has_layer)
     add_simplex_shadow (builder);
   for (i = 0; i < delaunay->n_triangles; i++) {

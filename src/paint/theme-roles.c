@@ -117,26 +117,22 @@ static const Row rows[N_ROLES] = {
   [ROLE_LIT] = { .line = INK_APEX, .style = { .width = 3, .casing = 5.5 } },
   [ROLE_ANSWER_CHOSEN]
   = { .line = INK_HOVER,
-      .style
-      = { .width = 4.4, .casing = 7.5, .mark = MARK_HOLLOW, .radius = 11 } },
+      .style = { .width = 4, .mark = MARK_HOLLOW, .radius = 10 } },
   [ROLE_ANSWER_RIGHT]
   = { .line = INK_CONE_LINE,
-      .style
-      = { .width = 4.4, .casing = 7.5, .mark = MARK_HOLLOW, .radius = 11 } },
+      .style = { .width = 4, .mark = MARK_HOLLOW, .radius = 10 } },
   [ROLE_ANSWER_WRONG] = { .line = INK_VISIBLE,
-                          .style = { .width = 4.4,
+                          .style = { .width = 4,
                                      .dash = 7,
                                      .gap = 5,
-                                     .casing = 7.5,
                                      .mark = MARK_HOLLOW,
-                                     .radius = 11 } },
+                                     .radius = 10 } },
   [ROLE_ANSWER_MISSED] = { .line = INK_HORIZON,
-                           .style = { .width = 3.4,
+                           .style = { .width = 3,
                                       .dash = 0.5,
-                                      .gap = 6,
-                                      .casing = 6.5,
+                                      .gap = 5.5,
                                       .mark = MARK_HOLLOW,
-                                      .radius = 11 } },
+                                      .radius = 10 } },
   [ROLE_VORONOI_VERTEX]
   = { .line = INK_VORONOI, .style = { .mark = MARK_DOT, .radius = 2.3 } },
   [ROLE_VORONOI_VERTEX_TIED]

@@ -124,6 +124,7 @@ ACTION_ENABLED (action_has_selection);
 ACTION_ENABLED (action_has_selected_site);
 ACTION_ENABLED (action_can_undo);
 ACTION_ENABLED (action_can_redo);
+ACTION_ENABLED (action_has_lesson);
 ACTION_ENABLED (action_can_check);
 ACTION_ENABLED (action_can_hint);
 ACTION_ENABLED (action_can_undo_answer);

@@ -162,6 +162,11 @@ ACTION_STATE (action_state_score)
                               verdict->missing, verdict->wrong);
 }
 
+ACTION_ENABLED (action_has_lesson)
+{
+  return session_get_lesson (session) != NULL;
+}
+
 ACTION_ENABLED (action_can_check) { return session_can_check (session); }
 
 ACTION_ENABLED (action_can_hint)

@@ -40,6 +40,10 @@ put_look (Session *session, const StopState *from, const StopState *state)
   session->look.has_preview = old.has_preview;
   session->look.preview = old.preview;
   session->look.extent = old.extent;
+  /* The question's part is refreshed for itself. */
+  session->look.mask = old.mask;
+  session->look.answers = old.answers;
+  session->look.n_answers = old.n_answers;
   session_tell (session, CHANGED_LOOK);
   if (from == NULL || !camera_equal (&from->camera, &state->camera))
     session_set_camera (session, &state->camera);
@@ -136,6 +140,44 @@ session_set_lesson (Session *session, Lesson *lesson)
   g_clear_pointer (&old, lesson_unref);
   session_set_playing (session, FALSE);
   session_tell (session, CHANGED_LESSON);
+  session_release (session);
+}
+
+/* The stop of @lesson that was @stop of @old. */
+static guint
+find_stop (const Lesson *lesson, const Lesson *old, guint stop)
+{
+  const char *title = lesson_stop (old, stop)->title;
+
+  /* Of several with one title, the one at this place. */
+  if (stop < lesson->stops->len
+      && g_str_equal (lesson_stop (lesson, stop)->title, title))
+    return stop;
+  for (guint i = 0; i < lesson->stops->len; i++)
+    if (g_str_equal (lesson_stop (lesson, i)->title, title))
+      return i;
+  return MIN (stop, lesson->stops->len - 1);
+}
+
+void
+session_renew_lesson (Session *session, Lesson *lesson)
+{
+  const Camera camera = session->camera;
+  const PlaneCamera plane_camera = session->plane_camera;
+  const StepSize step_size = session->step_size;
+  guint stop;
+
+  if (session->lesson == NULL) {
+    session_set_lesson (session, lesson);
+    return;
+  }
+  stop = find_stop (lesson, session->lesson, session->stop);
+  session_hold (session);
+  session_set_lesson (session, lesson);
+  session_set_stop (session, stop);
+  session_set_step_size (session, step_size);
+  session_set_camera (session, &camera);
+  session_set_plane_camera (session, &plane_camera);
   session_release (session);
 }
 

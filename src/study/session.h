@@ -295,8 +295,13 @@ void session_fit (Session *session);
  * scrubbing past a stop enters it. */
 void session_set_lesson (Session *session, Lesson *lesson); /* or NULL */
 Lesson *session_get_lesson (Session *session);              /* NULL: none */
-guint session_get_n_stops (Session *session);               /* 0: no lesson */
-guint session_get_stop (Session *session); /* index; 0 the first */
+
+/* Puts a lesson in place of another form of it, which its author has just
+ * changed: the stop and both cameras are kept, the stop by its title where
+ * that still exists. */
+void session_renew_lesson (Session *session, Lesson *lesson);
+guint session_get_n_stops (Session *session); /* 0: no lesson */
+guint session_get_stop (Session *session);    /* index; 0 the first */
 gboolean session_set_stop (Session *session, guint stop);
 
 /* Returns: FALSE when @stop stands on other sites than those shown; else

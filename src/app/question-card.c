@@ -1,0 +1,226 @@
+#include "question-card.h"
+
+#include "answer-list.h"
+#include "prose.h"
+
+#include <glib/gi18n.h>
+
+struct _QuestionCard {
+  GtkBox parent_instance;
+  Session *session;
+  const Exercise *exercise; /* that is shown; borrowed, to compare */
+  GtkLabel *prompt, *instruction, *hints, *verdict, *reasons;
+  AnswerList *answers;
+  GtkWidget *check, *hint, *undo, *show, *go_on, *retry, *another;
+};
+
+G_DEFINE_TYPE (QuestionCard, question_card, GTK_TYPE_BOX)
+
+static void
+set_text (GtkLabel *label, const char *text)
+{
+  gtk_label_set_text (label, text);
+  gtk_widget_set_visible (GTK_WIDGET (label), *text != '\0');
+}
+
+static void
+set_prose (GtkLabel *label, const char *commonmark)
+{
+  g_autofree char *markup = prose_to_markup (commonmark);
+
+  gtk_label_set_markup (label, markup);
+  gtk_widget_set_visible (GTK_WIDGET (label), *markup != '\0');
+}
+
+static void
+show_hints (QuestionCard *card)
+{
+  const GPtrArray *hints = card->exercise->question->hints;
+  g_autoptr (GString) text = g_string_new (NULL);
+
+  for (guint i = 0; i < card->exercise->n_hints; i++)
+    g_string_append_printf (text, "%s%s", i == 0 ? "" : "\n\n",
+                            (char *)g_ptr_array_index (hints, i));
+  set_prose (card->hints, text->str);
+}
+
+/* What was right and wrong */
+
+static void
+set_class (QuestionCard *card, const char *name, gboolean on)
+{
+  GtkStyleContext *style = gtk_widget_get_style_context (GTK_WIDGET (card));
+
+  if (on)
+    gtk_style_context_add_class (style, name);
+  else
+    gtk_style_context_remove_class (style, name);
+}
+
+/* While it can be tried again nothing is told of what is missing. */
+static char *
+verdict_text (const Exercise *exercise)
+{
+  const Verdict *verdict = exercise->verdict;
+
+  if (verdict == NULL)
+    return g_strdup (exercise->is_open ? "" : _ ("The answer"));
+  if (verdict->is_right)
+    return g_strdup (_ ("✓ Right"));
+  if (exercise->is_open)
+    return g_strdup (verdict->wrong > 0 || verdict->reasons->len > 0
+                         ? _ ("✗ Not right")
+                         : _ ("Right so far, but not all"));
+  return g_strdup_printf (_ ("✗ %u of %u right"),
+                          MIN (verdict->right, verdict->total), verdict->total);
+}
+
+static void
+append_all (GString *text, const GPtrArray *lines)
+{
+  for (guint i = 0; i < lines->len; i++)
+    g_string_append_printf (text, "%s%s", text->len == 0 ? "" : "\n",
+                            (char *)g_ptr_array_index (lines, i));
+}
+
+/* Whoever looks at the answer without an attempt is told why as well. */
+static char *
+reasons_text (const Exercise *exercise)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+  const Verdict *verdict = exercise->verdict;
+  g_autoptr (Verdict) blank = NULL;
+
+  if (verdict == NULL && !exercise->is_open)
+    verdict = blank = attempt_grade (exercise->attempt, exercise->question,
+                                     &exercise->occasion);
+  if (verdict != NULL) {
+    append_all (text, verdict->reasons);
+    if (!exercise->is_open)
+      append_all (text, verdict->missed);
+  }
+  return g_string_free (g_steal_pointer (&text), FALSE);
+}
+
+static void
+show_verdict (QuestionCard *card)
+{
+  const Exercise *exercise = card->exercise;
+  const Verdict *verdict = exercise->verdict;
+  g_autofree char *text = verdict_text (exercise);
+  g_autofree char *reasons = reasons_text (exercise);
+
+  if (verdict == NULL && exercise_holds_now (exercise)) {
+    g_free (text);
+    text = g_strdup (_ ("✓ It holds here: let go"));
+  }
+  set_text (card->verdict, text);
+  set_text (card->reasons, reasons);
+  set_class (card, "right", verdict != NULL && verdict->is_right);
+  set_class (card, "wrong", verdict != NULL && !verdict->is_right);
+}
+
+static void
+show_buttons (QuestionCard *card)
+{
+  const Exercise *exercise = card->exercise;
+  const gboolean is_open = exercise->is_open;
+
+  gtk_widget_set_visible (card->check, is_open);
+  gtk_widget_set_visible (card->hint,
+                          is_open && exercise->question->hints->len > 0);
+  gtk_widget_set_visible (card->undo,
+                          is_open && exercise->question->kind != QUESTION_DRAG);
+  gtk_widget_set_visible (card->show, is_open);
+  gtk_widget_set_visible (card->go_on, !is_open);
+  gtk_widget_set_visible (card->retry, !is_open);
+  gtk_widget_set_visible (card->another,
+                          !is_open && session_can_another (card->session));
+}
+
+static void
+show_question (QuestionCard *card)
+{
+  const Exercise *exercise = card->exercise;
+  g_autofree char *prompt
+      = question_prompt (exercise->question, &exercise->occasion);
+  g_autofree char *instruction = question_instruction (exercise->question);
+
+  set_prose (card->prompt, prompt);
+  set_text (card->instruction, instruction);
+}
+
+static void
+update (QuestionCard *card)
+{
+  card->exercise = session_get_exercise (card->session);
+  gtk_widget_set_visible (GTK_WIDGET (card), card->exercise != NULL);
+  answer_list_show (card->answers, card->exercise);
+  if (card->exercise == NULL)
+    return;
+  show_question (card);
+  show_hints (card);
+  show_verdict (card);
+  show_buttons (card);
+  gtk_widget_set_visible (GTK_WIDGET (card->instruction),
+                          card->exercise->is_open);
+}
+
+static void
+on_changed (Session *session, guint changes, QuestionCard *card)
+{
+  (void)session;
+  if (changes & (CHANGED_QUESTION | CHANGED_LESSON))
+    update (card);
+}
+
+void
+question_card_set_session (QuestionCard *card, Session *session)
+{
+  g_assert (card->session == NULL);
+  card->session = g_object_ref (session);
+  answer_list_set_session (card->answers, session);
+  g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), card,
+                           0);
+  update (card);
+}
+
+static void
+question_card_dispose (GObject *object)
+{
+  g_clear_object (&HULL2VD_QUESTION_CARD (object)->session);
+  G_OBJECT_CLASS (question_card_parent_class)->dispose (object);
+}
+
+#define BIND(name)                                                             \
+  gtk_widget_class_bind_template_child (widget_class, QuestionCard, name)
+
+static void
+question_card_class_init (QuestionCardClass *class)
+{
+  GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
+
+  G_OBJECT_CLASS (class)->dispose = question_card_dispose;
+  g_type_ensure (ANSWER_LIST_TYPE);
+  gtk_widget_class_set_template_from_resource (
+      widget_class, "/io/github/hull2vd/Hull2VD/question-card.ui");
+  BIND (prompt);
+  BIND (instruction);
+  BIND (answers);
+  BIND (hints);
+  BIND (verdict);
+  BIND (reasons);
+  BIND (check);
+  BIND (hint);
+  BIND (undo);
+  BIND (show);
+  BIND (go_on);
+  BIND (retry);
+  BIND (another);
+}
+
+static void
+question_card_init (QuestionCard *card)
+{
+  gtk_widget_init_template (GTK_WIDGET (card));
+}
