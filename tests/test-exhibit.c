@@ -64,7 +64,7 @@ test_an_edit_keeps_the_place (void)
   session_add_site (session, (Site){ 0.5, 0.5 }, NULL);
   g_assert_cmpuint (session_get_place (session).round, ==, 1);
   g_assert_cmpuint (session_get_place (session).phase, ==, PHASE_SEE);
-  g_assert_cmpint (session_get_site_state (session, 5), ==, SITE_IGNORED);
+  g_assert_cmpint (session_get_site_state (session, 0, 5), ==, SITE_IGNORED);
   session_undo (session);
   g_assert_cmpuint (session_get_place (session).phase, ==, PHASE_SEE);
   /* Without the site outside there is no round: then it is the end. */
@@ -112,6 +112,151 @@ test_an_unknown_view_is_refused (void)
       action_run (session, "view", g_variant_new_string ("planer"), &error));
   g_assert_nonnull (strstr (error->message, "planar"));
   g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_LIFTS);
+}
+
+/* What the events of a trace cost, counted from the events alone. */
+static guint
+count_events (const Trace *trace, guint step, EventKind kind)
+{
+  guint n = 0;
+
+  for (guint i = 0; i < step; i++)
+    n += trace->events[i].kind == kind;
+  return n;
+}
+
+#define TEN                                                                    \
+  "-0.5 -0.4; 0.6 -0.5; 0.1 0.5; 0 0.125; 0.1 -0.2; 0.9 0.3; 0.5 0.6; "        \
+  "-0.7 0.5; -0.9 -0.1; 0.2 -0.9"
+
+static void
+check_in_step (Session *session)
+{
+  const Trace *trace = session_get_trace (session);
+  const Trace *other = session_get_other_trace (session);
+  const guint step = session_get_step (session);
+  const guint other_step = session_get_other_step (session);
+  const Place a = timeline_place (trace, step);
+  const Place b = timeline_place (other, other_step);
+  const InsertionCost cost = session_get_cost (session, 1);
+
+  g_assert_cmpuint (a.round, ==, b.round);
+  g_assert_cmpint (a.phase, ==, b.phase);
+  g_assert_cmpuint (cost.facets_created, ==,
+                    count_events (other, other_step, EVENT_SIMPLEX)
+                        + count_events (other, other_step, EVENT_CONE));
+  g_assert_cmpuint (cost.facets_seen, ==,
+                    count_events (other, other_step, EVENT_VISIBLE));
+}
+
+static void
+test_two_runs_go_in_step (void)
+{
+  g_autoptr (Session) session = session_of (TEN);
+
+  run (session, "compare", "furthest input");
+  g_assert_cmpint (session_get_other_trace (session)->order.kind, ==,
+                   ORDER_INPUT);
+  for (guint step = 0; step <= session_get_n_steps (session); step++) {
+    session_set_step (session, step);
+    check_in_step (session);
+  }
+  assert_count (session, "other-round", 6);
+  assert_count (session, "facets", 16);
+  assert_count (session, "other-facets", 16);
+  run (session, "compare", "none");
+  g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_LIFTS);
+}
+
+/* At the end of a phase of the one run, the other is at the end of it. */
+static void
+test_phases_end_together (void)
+{
+  g_autoptr (Session) session = session_of (TEN);
+  guint end;
+
+  run (session, "compare", "random 7 furthest");
+  for (guint round = 1; round <= 6; round++) {
+    const Place place = { round, PHASE_SEE };
+
+    session_find_step (session, place, FALSE, &end);
+    session_set_step (session, end);
+    timeline_find (session_get_other_trace (session), place, FALSE, &end);
+    g_assert_cmpuint (session_get_other_step (session), ==, end);
+  }
+}
+
+/* 6 - 12/k at k = 5 is 18/5, at k = 6 it is 4. */
+static void
+test_the_cone_is_compared_with_that_of_a_random_order (void)
+{
+  g_autoptr (Session) session = session_of (TEN);
+  InsertionCost cost;
+
+  run (session, "goto", "round 2");
+  cost = session_get_cost (session, 0);
+  g_assert_cmpuint (cost.n_cones, ==, 2);
+  g_assert_cmpfloat_with_epsilon (cost.expected_cone, (3.6 + 4) / 2, 1e-12);
+}
+
+static void
+test_flat_sites_and_duplicates_can_be_compared (void)
+{
+  static const char *const sets[]
+      = { "0 0", "0 0; 1 0; 2 0", "0 0; 1 0; 1 1; 0 1",
+          "0 0; 1 0; 0 1; 0.25 0.25; 0 0; 1 1" };
+
+  for (guint i = 0; i < G_N_ELEMENTS (sets); i++) {
+    g_autoptr (Session) session = session_of (sets[i]);
+    g_autofree char *sentence = NULL;
+
+    run (session, "compare", "input furthest");
+    for (guint step = 0; step <= session_get_n_steps (session); step++) {
+      session_set_step (session, step);
+      check_in_step (session);
+    }
+    sentence = session_narrate (session);
+    g_assert_nonnull (strstr (sentence, "Both"));
+  }
+}
+
+static void
+test_orders_that_are_none_are_refused (void)
+{
+  g_autoptr (Session) session = session_of (TEN);
+  static const char *const wrong[]
+      = { "furthest", "furthest random", "furthest inputs",
+          "input furthest random 7", "" };
+
+  for (guint i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    g_autoptr (GError) error = NULL;
+
+    g_assert_false (action_run (session, "compare",
+                                g_variant_new_string (wrong[i]), &error));
+    g_assert_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER);
+  }
+  g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_LIFTS);
+}
+
+static void
+test_a_case_of_rounding_shows_its_wrong_turn (void)
+{
+  g_autoptr (Session) session = session_new ();
+  g_autofree char *sentence = NULL;
+  guint count;
+
+  run (session, "rounding", "A1");
+  g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_SIGNS);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 9);
+  g_assert_true (session_count (session, "wrong-signs", &count));
+  g_assert_cmpuint (count, >, 0);
+  sentence = session_narrate_in_english (session);
+  /* The marked node is the site itself, to the last bit. */
+  g_assert_nonnull (strstr (sentence, "24.00000000000005"));
+  run (session, "view", "rounded");
+  assert_count (session, "lost-sites", 1);
+  g_assert_false (
+      action_run (session, "rounding", g_variant_new_string ("C9"), NULL));
 }
 
 static const char lesson_text[] = "# Hulls\n"
@@ -259,6 +404,16 @@ main (int argc, char **argv)
                    test_counters_are_those_of_what_is_shown);
   g_test_add_func ("/exhibit/an-unknown-view-is-refused",
                    test_an_unknown_view_is_refused);
+  g_test_add_func ("/exhibit/two-runs-go-in-step", test_two_runs_go_in_step);
+  g_test_add_func ("/exhibit/phases-end-together", test_phases_end_together);
+  g_test_add_func ("/exhibit/the-cone-is-compared-with-that-of-a-random-order",
+                   test_the_cone_is_compared_with_that_of_a_random_order);
+  g_test_add_func ("/exhibit/flat-sites-and-duplicates-can-be-compared",
+                   test_flat_sites_and_duplicates_can_be_compared);
+  g_test_add_func ("/exhibit/orders-that-are-none-are-refused",
+                   test_orders_that_are_none_are_refused);
+  g_test_add_func ("/exhibit/a-case-of-rounding-shows-its-wrong-turn",
+                   test_a_case_of_rounding_shows_its_wrong_turn);
   g_test_add_func ("/exhibit/a-lesson-goes-from-view-to-view",
                    test_a_lesson_goes_from_view_to_view);
   g_test_add_func ("/exhibit/stops-follow-the-step-of-their-view",

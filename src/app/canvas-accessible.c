@@ -8,7 +8,7 @@
 struct _CanvasAccessible {
   GtkWidgetAccessible parent_instance;
   GHashTable *children; /* object key → CanvasChild */
-  char *description;
+  char *name, *description;
 };
 
 G_DEFINE_TYPE (CanvasAccessible, canvas_accessible, GTK_TYPE_WIDGET_ACCESSIBLE)
@@ -46,11 +46,15 @@ get_child (CanvasAccessible *accessible, Canvas *canvas, Object object)
 static const char *
 canvas_accessible_get_name (AtkObject *object)
 {
+  CanvasAccessible *accessible = HULL2VD_CANVAS_ACCESSIBLE (object);
   Canvas *canvas = get_canvas (object);
 
   if (canvas == NULL)
     return NULL;
-  return _ (HULL2VD_CANVAS_GET_CLASS (canvas)->title);
+  g_free (accessible->name);
+  accessible->name = session_get_pane_title (canvas_get_session (canvas),
+                                             canvas_get_pane (canvas));
+  return accessible->name;
 }
 
 /* What there is and what has just happened. */
@@ -122,6 +126,7 @@ canvas_accessible_finalize (GObject *object)
   CanvasAccessible *accessible = HULL2VD_CANVAS_ACCESSIBLE (object);
 
   g_hash_table_unref (accessible->children);
+  g_free (accessible->name);
   g_free (accessible->description);
   G_OBJECT_CLASS (canvas_accessible_parent_class)->finalize (object);
 }

@@ -48,7 +48,7 @@ name_site (Session *session, guint site)
      the hull */
   return g_strdup_printf (
       _ ("%s, %s"), place,
-      site_state_text (session_get_site_state (session, site)));
+      site_state_text (session_get_site_state (session, 0, site)));
 }
 
 static const char *

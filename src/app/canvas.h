@@ -56,8 +56,7 @@ struct _CanvasClass {
 void canvas_set_session (Canvas *canvas, Session *session);
 Session *canvas_get_session (Canvas *canvas);
 
-/* Which of the two pictures it is; the plane is the left one, space the right
- * one, unless said otherwise. */
+/* Which of the two pictures it is: 0, the left one, unless said otherwise. */
 void canvas_set_pane (Canvas *canvas, guint pane);
 guint canvas_get_pane (Canvas *canvas);
 

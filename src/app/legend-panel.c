@@ -28,6 +28,9 @@ static const char *const role_texts[N_ROLES] = {
   [ROLE_LOWER] = N_ ("lower facet"),
   [ROLE_UPPER] = N_ ("upper facet"),
   [ROLE_VERTICAL] = N_ ("vertical facet"),
+  [ROLE_SIGN_LEFT] = N_ ("turns left"),
+  [ROLE_SIGN_ZERO] = N_ ("in line"),
+  [ROLE_SIGN_RIGHT] = N_ ("turns right"),
   [ROLE_HULL_AREA] = N_ ("inside the hull"),
   [ROLE_VISIBLE] = N_ ("{p} sees: lower"),
   [ROLE_VISIBLE_UPPER] = N_ ("{p} sees: upper"),
@@ -56,6 +59,8 @@ static const char *const role_texts[N_ROLES] = {
   [ROLE_CONE_EDGE] = N_ ("new edge"),
   [ROLE_SEEN_EDGE] = N_ ("{p} is beyond it"),
   [ROLE_HULL_EDGE] = N_ ("hull edge"),
+  [ROLE_ROUNDED_EDGE] = N_ ("hull, rounded"),
+  [ROLE_SIGN_NODE] = N_ ("node in hand"),
   [ROLE_EDGE_LINE] = N_ ("line of the edge"),
   [ROLE_HORIZON] = N_ ("horizon"),
   [ROLE_HORIZON_UPPER] = N_ ("horizon, upper"),
@@ -78,6 +83,7 @@ static const char *const role_texts[N_ROLES] = {
   [ROLE_SITE_OUTSIDE] = N_ ("outside set of f"),
   [ROLE_SITE_APEX] = N_ ("new site {p}"),
   [ROLE_SITE_DUPLICATE] = N_ ("duplicate"),
+  [ROLE_SITE_LOST] = N_ ("lost by rounding"),
   [ROLE_SITE_IGNORED] = N_ ("inside, ignored"),
 };
 

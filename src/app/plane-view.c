@@ -4,6 +4,7 @@
 #include "canvas-keys.h"
 #include "canvas-menu.h"
 #include "hold-insert.h"
+#include "sign-input.h"
 #include "site-edit.h"
 #include "site-preview.h"
 #include "step-motion.h"
@@ -177,6 +178,10 @@ click_secondary (Canvas *canvas, const CanvasPress *press)
 static void
 plane_view_click (Canvas *canvas, const CanvasPress *press)
 {
+  if (sign_input_is_on (canvas)) {
+    sign_input_read (canvas, press->at_px);
+    return;
+  }
   if (press->button == GDK_BUTTON_PRIMARY)
     click_primary (canvas, press);
   else if (press->button == GDK_BUTTON_SECONDARY)
@@ -190,6 +195,7 @@ plane_view_double_click (Canvas *canvas, const CanvasPress *press)
   double grip_px[2];
 
   if (press->button != GDK_BUTTON_PRIMARY || site_edit_joins (press)
+      || sign_input_is_on (canvas)
       || HULL2VD_PLANE_VIEW (canvas)->has_paper_bindings)
     plane_view_click (canvas, press);
   else if (!is_on_site (canvas, press, grip_px))
@@ -202,7 +208,7 @@ plane_view_drag_begin (Canvas *canvas, const CanvasPress *press)
   PlaneView *view = HULL2VD_PLANE_VIEW (canvas);
   Session *session = canvas_get_session (canvas);
 
-  if (session_is_asking (session))
+  if (session_is_asking (session) || sign_input_is_on (canvas))
     return FALSE;
   view->is_banding = (press->modifiers & GDK_CONTROL_MASK) != 0;
   for (int corner = 0; corner < 2; corner++)
@@ -302,6 +308,10 @@ plane_view_pointer (Canvas *canvas, Object object, const double at_px[2])
 
   if (session_is_asking (canvas_get_session (canvas)))
     return object.kind == OBJECT_NONE ? "default" : "pointer";
+  if (sign_input_is_on (canvas)) {
+    sign_input_read (canvas, at_px);
+    return "crosshair";
+  }
   if (is_on_site (canvas, &press, grip_px))
     return "grab";
   if (object.kind == OBJECT_NONE || object.kind == OBJECT_SITE)
@@ -334,6 +344,8 @@ plane_view_key (Canvas *canvas, const GdkEventKey *event)
   const gboolean is_far = (event->state & GDK_SHIFT_MASK) != 0;
   double by[2];
 
+  if (sign_input_is_on (canvas))
+    return sign_input_key (canvas, event);
   if (canvas_arrow (event->keyval, by))
     return site_edit_nudge (canvas, by, is_far);
 
@@ -366,7 +378,7 @@ plane_view_count_objects (Canvas *canvas)
 
   if (session_is_answering (session))
     return answer_objects_count (canvas);
-  return session_get_exhibit (session) != NULL
+  return !session_pane_has_facets (session, canvas_get_pane (canvas))
              ? frame->n_sites
              : frame->n_sites + frame->delaunay.n_triangles;
 }

@@ -178,12 +178,14 @@ space_view_key (Canvas *canvas, const GdkEventKey *event)
 static guint
 space_view_count_objects (Canvas *canvas)
 {
-  const Frame *frame = session_get_frame (canvas_get_session (canvas));
+  Session *session = canvas_get_session (canvas);
+  const Frame *frame = session_get_frame (session);
 
-  if (session_is_answering (canvas_get_session (canvas)))
+  if (session_is_answering (session))
     return answer_objects_count (canvas);
-
-  return frame->n_sites + frame->n_facets;
+  return session_pane_has_facets (session, canvas_get_pane (canvas))
+             ? frame->n_sites + frame->n_facets
+             : frame->n_sites;
 }
 
 static Object

@@ -45,6 +45,9 @@ static const MenuRow main_rows[] = {
 static const MenuRow view_rows[] = {
   { N_ ("Hull of the L_ifts"), "view::lifts" },
   { N_ ("Hull in the Pla_ne"), "view::planar" },
+  { N_ ("T_wo Orders in the Plane"), "view::compare" },
+  { N_ ("Rounding: Si_gns"), "view::signs" },
+  { N_ ("Rounding: H_ull"), "view::rounded" },
   { NULL, "" },
   { N_ ("_Hull"), "layer-hull" },
   { N_ ("_Paraboloid"), "layer-paraboloid" },

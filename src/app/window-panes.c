@@ -1,4 +1,8 @@
+/* What the two pictures show. Each place holds a view of the plane and one of
+ * space; below it, while two runs are compared, stands what its run does. */
 #include "window-private.h"
+
+#include <glib/gi18n.h>
 
 static void
 set_title (Hull2vdWindow *window, guint pane, GtkLabel *label)
@@ -22,29 +26,125 @@ show_panes (Hull2vdWindow *window)
                           !has_second || views != VIEWS_SPACE);
 }
 
+/* Reports of runs */
+
+static char *
+cost_text (const InsertionCost *cost)
+{
+  const double mean
+      = cost->n_cones == 0 ? 0 : (double)cost->cone_facets / cost->n_cones;
+
+  if (cost->n_cones == 0)
+    return g_strdup_printf (_ ("created %u · seen %u · handed over %u"),
+                            cost->facets_created, cost->facets_seen,
+                            cost->redistributions);
+  /* Translators: facets created and seen, sites handed over, and the mean size
+     of a cone beside that in a random order. */
+  return g_strdup_printf (
+      _ ("created %u · seen %u · handed over %u · mean cone %.2f (random "
+         "order: %.2f)"),
+      cost->facets_created, cost->facets_seen, cost->redistributions, mean,
+      cost->expected_cone);
+}
+
+static void
+update_report (Hull2vdWindow *window, guint pane)
+{
+  Session *session = window->session;
+  const gboolean compares
+      = session_get_exhibit_kind (session) == EXHIBIT_COMPARE;
+  const InsertionCost cost = session_get_cost (session, compares ? pane : 0);
+  g_autofree char *sentence = NULL;
+  g_autofree char *numbers = NULL;
+  g_autofree char *text = NULL;
+
+  gtk_widget_set_visible (GTK_WIDGET (window->reports[pane]), compares);
+  if (!compares)
+    return;
+  sentence = session_narrate_pane (session, pane);
+  numbers = cost_text (&cost);
+  text = g_markup_printf_escaped ("%s\n<small>%s</small>", sentence, numbers);
+  gtk_label_set_markup (window->reports[pane], text);
+}
+
+static GtkLabel *
+make_report (void)
+{
+  GtkWidget *label = gtk_label_new (NULL);
+
+  gtk_label_set_xalign (GTK_LABEL (label), 0);
+  gtk_label_set_yalign (GTK_LABEL (label), 0);
+  gtk_label_set_line_wrap (GTK_LABEL (label), TRUE);
+  gtk_widget_set_size_request (label, -1, 96);
+  gtk_style_context_add_class (gtk_widget_get_style_context (label), "report");
+  return GTK_LABEL (label);
+}
+
+/* Views */
+
 static void
 update (Hull2vdWindow *window)
 {
   set_title (window, 0, window->plane_title);
   set_title (window, 1, window->space_title);
   show_panes (window);
+  for (guint i = 0; i < G_N_ELEMENTS (window->views); i++)
+    gtk_widget_set_visible (GTK_WIDGET (window->views[i]),
+                            canvas_is_shown (window->views[i]));
 }
 
 static void
 on_changed (Session *session, guint changes, Hull2vdWindow *window)
 {
   (void)session;
-  if (changes & (CHANGED_EXHIBIT | CHANGED_STAGING))
+  if (changes & (CHANGED_EXHIBIT | CHANGED_SITES | CHANGED_STAGING))
     update (window);
+  if (changes & (CHANGED_EXHIBIT | CHANGED_SITES | CHANGED_STEP))
+    for (guint pane = 0; pane < N_PANES; pane++)
+      update_report (window, pane);
+}
+
+static void
+on_failed (Canvas *canvas, const char *message, Hull2vdWindow *window)
+{
+  (void)canvas;
+  hull2vd_window_say (window, message);
+}
+
+/* A view of the other kind, in the place of @view. */
+static Canvas *
+make_other (Hull2vdWindow *window, Canvas *view, GType type)
+{
+  GtkWidget *overlay = gtk_widget_get_parent (GTK_WIDGET (view));
+  Canvas *other = g_object_new (type, NULL);
+
+  canvas_set_pane (other, canvas_get_pane (view));
+  canvas_set_session (other, window->session);
+  gtk_overlay_add_overlay (GTK_OVERLAY (overlay), GTK_WIDGET (other));
+  g_signal_connect (other, "failed", G_CALLBACK (on_failed), window);
+  return other;
+}
+
+static void
+make_pane (Hull2vdWindow *window, guint pane, Canvas *view, GType other)
+{
+  GtkWidget *overlay = gtk_widget_get_parent (GTK_WIDGET (view));
+
+  canvas_set_pane (view, pane);
+  window->views[2 * pane] = view;
+  window->views[2 * pane + 1] = make_other (window, view, other);
+  window->reports[pane] = make_report ();
+  gtk_container_add (GTK_CONTAINER (gtk_widget_get_parent (overlay)),
+                     GTK_WIDGET (window->reports[pane]));
 }
 
 void
 window_panes_init (Hull2vdWindow *window)
 {
-  legend_panel_add_view (window->legend_panel,
-                         HULL2VD_CANVAS (window->plane_view));
-  legend_panel_add_view (window->legend_panel,
-                         HULL2VD_CANVAS (window->space_view));
+  make_pane (window, 0, HULL2VD_CANVAS (window->plane_view), SPACE_VIEW_TYPE);
+  make_pane (window, 1, HULL2VD_CANVAS (window->space_view), PLANE_VIEW_TYPE);
+  for (guint i = 0; i < G_N_ELEMENTS (window->views); i++)
+    legend_panel_add_view (window->legend_panel, window->views[i]);
   g_signal_connect_object (window->session, "changed", G_CALLBACK (on_changed),
                            window, 0);
   update (window);

@@ -60,6 +60,8 @@ struct _Hull2vdWindow {
   GtkWidget *generate_dialog; /* NULL: not asked for yet */
   GtkWidget *space_window;    /* NULL: space is in this window */
   GtkLabel *plane_title, *space_title;
+  Canvas *views[2 * N_PANES]; /* both kinds for each place */
+  GtkLabel *reports[N_PANES];
   GtkWidget *plane_box, *space_box;
   LessonPanel *lesson_panel;
   CodePanel *code_panel;

@@ -59,6 +59,9 @@ typedef enum Role {
   ROLE_LOWER,         /* facets of the hull */
   ROLE_UPPER,
   ROLE_VERTICAL,
+  ROLE_SIGN_LEFT,        /* of a sign map: p, q, r turn left there */
+  ROLE_SIGN_ZERO,        /* they are in line */
+  ROLE_SIGN_RIGHT,       /* they turn right */
   ROLE_HULL_AREA,        /* inside of a hull in the plane */
   ROLE_TRIANGLE,         /* Delaunay triangle; object is its facet */
   ROLE_VISIBLE,          /* visible facet, or its triangle: will go */
@@ -87,6 +90,8 @@ typedef enum Role {
   ROLE_FREE_EDGE,        /* inside a circle group: any diagonal would do */
   ROLE_RIDGE,            /* of the hull in space */
   ROLE_HULL_EDGE,        /* of a hull in the plane */
+  ROLE_ROUNDED_EDGE,     /* of a hull by rounded signs */
+  ROLE_SIGN_NODE,        /* outline of the node in hand */
   ROLE_EDGE_LINE,        /* all along the line of such an edge */
   ROLE_VISIBLE_EDGE,     /* ridge or Delaunay edge of a visible facet */
   ROLE_SEEN_EDGE, /* in the plane: hull edge of a visible vertical facet */
@@ -117,6 +122,7 @@ typedef enum Role {
   ROLE_SITE_OUTSIDE,
   ROLE_SITE_APEX,
   ROLE_SITE_DUPLICATE,
+  ROLE_SITE_LOST,    /* outside, but dropped by rounded signs */
   ROLE_SITE_IGNORED, /* inside a hull in the plane */
   ROLE_POWER,        /* no mark: the power beside a gap, as a number */
   ROLE_FACET_NAME,   /* no mark: the label of a facet in its middle */

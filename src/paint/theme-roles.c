@@ -35,6 +35,9 @@ static const Row rows[N_ROLES] = {
                       .fill_alpha = 0.4,
                       .line = INK_VERTICAL_LINE,
                       .style = { .hatch = HATCH_CROSSED, .is_shaded = true } },
+  [ROLE_SIGN_LEFT] = { .fill = INK_LOWER },
+  [ROLE_SIGN_ZERO] = { .fill = INK_VISIBLE },
+  [ROLE_SIGN_RIGHT] = { .fill = INK_SHEET },
   [ROLE_HULL_AREA] = { .fill = INK_LOWER, .fill_alpha = 0.22 },
   [ROLE_VISIBLE] = { .fill = INK_VISIBLE,
                      .fill_alpha = 0.12,
@@ -91,6 +94,10 @@ static const Row rows[N_ROLES] = {
       .style = { .width = 1.8, .dash = 6, .gap = 5, .casing = 3.8 } },
   [ROLE_RIDGE] = { .line = INK_RIDGE, .style = { .width = 1.5 } },
   [ROLE_HULL_EDGE] = { .line = INK_RIDGE, .style = { .width = 3 } },
+  [ROLE_ROUNDED_EDGE] = { .line = INK_VISIBLE_UPPER,
+                          .style = { .width = 3, .dash = 10, .gap = 5 } },
+  [ROLE_SIGN_NODE]
+  = { .line = INK_HORIZON, .style = { .width = 2, .casing = 4.5 } },
   [ROLE_EDGE_LINE]
   = { .line = INK_IN_HAND, .style = { .width = 1.3, .dash = 7, .gap = 5 } },
   [ROLE_VISIBLE_EDGE]
@@ -183,6 +190,10 @@ static const Row rows[N_ROLES] = {
       .line = INK_SITE,
       .style = { .width = 1.6, .mark = MARK_CROSSED, .radius = 7 } },
   [ROLE_POWER] = { .style = { .mark = MARK_NONE } },
+  [ROLE_SITE_LOST]
+  = { .fill = INK_PAPER,
+      .line = INK_VISIBLE_UPPER,
+      .style = { .width = 2, .mark = MARK_CROSSED, .radius = 9 } },
   [ROLE_SITE_IGNORED]
   = { .line = INK_GROUND, .style = { .mark = MARK_DOT, .radius = 4 } },
   [ROLE_FACET_NAME] = { .style = { .mark = MARK_NONE } },

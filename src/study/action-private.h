@@ -53,6 +53,11 @@ ACTION_RUN (action_scale); /* data: ActionScale */
 ACTION_RUN (action_view);
 ACTION_RUN (action_views);
 ACTION_RUN (action_listing);
+ACTION_RUN (action_compare);
+ACTION_RUN (action_compare_view);
+ACTION_RUN (action_rounding);
+ACTION_RUN (action_turn);
+ACTION_RUN (action_node);
 
 ACTION_RUN (action_order);
 ACTION_RUN (action_add_site);
@@ -92,6 +97,8 @@ ACTION_STATE (action_state_order);
 ACTION_STATE (action_state_views);
 ACTION_STATE (action_state_listing);
 ACTION_STATE (action_state_view);
+ACTION_STATE (action_state_compare);
+ACTION_STATE (action_state_compare_view);
 ACTION_STATE (action_state_play);
 ACTION_STATE (action_state_step_size);
 ACTION_STATE (action_state_speed);

@@ -65,6 +65,10 @@ parameter_rule (const char *type)
     return _ ("a whole number");
   if (g_str_equal (type, "(dd)"))
     return _ ("two numbers: X Y");
+  if (g_str_equal (type, "(uu)"))
+    return _ ("two whole numbers");
+  if (g_str_equal (type, "(uuu)"))
+    return _ ("three sites");
   if (g_str_equal (type, "(udd)"))
     return _ ("a whole number and two numbers: N X Y");
   if (g_str_equal (type, "d"))

@@ -1,8 +1,11 @@
 #include "exhibit.h"
 
 #include "laws.h"
+#include "number.h"
+#include "scene-rounding.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
 struct Exhibit {
   ExhibitKind kind;
@@ -10,11 +13,19 @@ struct Exhibit {
   PlanarTrace *planar;
   PlanarFrame frame; /* of the step that was asked for last */
   gboolean has_frame;
+  RoundedHull hull; /* of that step too */
+  gboolean has_hull;
+  guint hull_step;
+  SignMap *map; /* NULL: these sites have none */
+  guint sites[3];
+  guint node[2];
+  Course course; /* but for the planar one */
 };
 
 static const char *const kind_names[N_EXHIBITS] = {
-  [EXHIBIT_LIFTS] = "lifts",
-  [EXHIBIT_PLANAR] = "planar",
+  [EXHIBIT_LIFTS] = "lifts",     [EXHIBIT_COMPARE] = "compare",
+  [EXHIBIT_PLANAR] = "planar",   [EXHIBIT_SIGNS] = "signs",
+  [EXHIBIT_ROUNDED] = "rounded",
 };
 
 const char *
@@ -34,15 +45,96 @@ exhibit_kind_parse (const char *name, ExhibitKind *kind)
   return FALSE;
 }
 
+/* Rounding */
+
+/* The turn to look at when none was named: the first that is wrong in the
+ * hull by insertion, else that of the first three sites. */
+static void
+find_turn (const SiteSet *set, guint sites[3])
+{
+  RoundedHull hull;
+
+  for (guint i = 0; i < 3; i++)
+    sites[i] = i;
+  rounded_hull_init (&hull, set, G_MAXUINT);
+  for (guint i = 0; i < hull.n_steps; i++)
+    if (hull.steps[i].n_wrong > 0) {
+      sites[0] = hull.steps[i].wrong[0];
+      sites[1] = hull.steps[i].wrong[1];
+      sites[2] = hull.steps[i].site;
+      break;
+    }
+  rounded_hull_clear (&hull);
+}
+
+static void
+make_map (Exhibit *exhibit, const ExhibitTurn *turn)
+{
+  const SiteSet *set = exhibit->run->set;
+  Site at[3];
+
+  memcpy (exhibit->sites, turn->sites, sizeof exhibit->sites);
+  memcpy (exhibit->node, turn->node, sizeof exhibit->node);
+  if (!turn->is_named)
+    find_turn (set, exhibit->sites);
+  for (guint i = 0; i < 3; i++) {
+    if (exhibit->sites[i] >= set->n_sites)
+      return;
+    at[i] = site_set_given (set, exhibit->sites[i]);
+  }
+  exhibit->map = g_new (SignMap, 1);
+  if (!sign_map_init (exhibit->map, &at[0], &at[1], &at[2]))
+    g_clear_pointer (&exhibit->map, g_free);
+}
+
+static void
+make_course (Exhibit *exhibit)
+{
+  RoundedHull hull;
+
+  rounded_hull_init (&hull, exhibit->run->set, G_MAXUINT);
+  for (guint i = 0; i < hull.n_steps; i++)
+    course_add (&exhibit->course,
+                (Place){ i, i == 0 ? PHASE_SIMPLEX : PHASE_HAND_OVER });
+  rounded_hull_clear (&hull);
+}
+
+static void
+drop_hull (Exhibit *exhibit)
+{
+  if (exhibit->has_hull)
+    rounded_hull_clear (&exhibit->hull);
+  exhibit->has_hull = FALSE;
+}
+
+const RoundedHull *
+exhibit_rounded_hull (Exhibit *exhibit, guint step)
+{
+  if (exhibit->has_hull && exhibit->hull_step == step)
+    return &exhibit->hull;
+  drop_hull (exhibit);
+  rounded_hull_init (&exhibit->hull, exhibit->run->set, step);
+  exhibit->has_hull = TRUE;
+  exhibit->hull_step = step;
+  return &exhibit->hull;
+}
+
+/* Life */
+
 Exhibit *
-exhibit_new (ExhibitKind kind, Run *run)
+exhibit_new (ExhibitKind kind, Run *run, const ExhibitTurn *turn)
 {
   Exhibit *exhibit = g_new0 (Exhibit, 1);
 
-  g_assert (kind == EXHIBIT_PLANAR);
+  g_assert (kind >= EXHIBIT_PLANAR);
   exhibit->kind = kind;
   exhibit->run = run_ref (run);
-  exhibit->planar = planar_trace_record (run->set);
+  if (kind == EXHIBIT_PLANAR)
+    exhibit->planar = planar_trace_record (run->set);
+  else if (kind == EXHIBIT_SIGNS)
+    make_map (exhibit, turn);
+  else
+    make_course (exhibit);
   return exhibit;
 }
 
@@ -60,7 +152,10 @@ exhibit_free (Exhibit *exhibit)
   if (exhibit == NULL)
     return;
   drop_frame (exhibit);
+  drop_hull (exhibit);
   planar_trace_free (exhibit->planar);
+  course_clear (&exhibit->course);
+  g_free (exhibit->map);
   run_unref (exhibit->run);
   g_free (exhibit);
 }
@@ -74,30 +169,112 @@ exhibit_kind (const Exhibit *exhibit)
 const Course *
 exhibit_course (const Exhibit *exhibit)
 {
-  return &exhibit->planar->course;
+  return exhibit->planar != NULL ? &exhibit->planar->course : &exhibit->course;
 }
 
 void
-exhibit_narrate (const Exhibit *exhibit,
+exhibit_set_node (Exhibit *exhibit, const guint node[2])
+{
+  memcpy (exhibit->node, node, sizeof exhibit->node);
+}
+
+/* Words */
+
+static const char *
+side_word (int sign)
+{
+  if (sign == 0)
+    return N_ ("in line");
+  return sign > 0 ? N_ ("left") : N_ ("right");
+}
+
+static const char *
+same (const char *english)
+{
+  return english;
+}
+
+static void
+put (GString *text, const char *part, const char *value)
+{
+  g_string_replace (text, part, value, 0);
+}
+
+static void
+put_site (GString *text, const char *part, guint site)
+{
+  char name[16];
+
+  g_snprintf (name, sizeof name, "s%u", site);
+  put (text, part, name);
+}
+
+/* What the marked node says, its coordinates to the last bit. */
+static void
+narrate_signs (const Exhibit *exhibit,
+               NarrationTranslate translate,
+               char text[NARRATION_ROOM])
+{
+  const SignMap *map = exhibit->map;
+  const guint *node = exhibit->node;
+  g_autoptr (GString) sentence = g_string_new (translate (
+      N_ ("{p} at ({x}, {y}), then {q}, {r}: a turn to the {u} in plain "
+          "doubles, in truth {v}.")));
+  char x[NUMBER_ROOM], y[NUMBER_ROOM];
+  const Site at = sign_map_site (map, node[0], node[1]);
+
+  number_write (at.x, x);
+  number_write (at.y, y);
+  put_site (sentence, "{p}", exhibit->sites[0]);
+  put_site (sentence, "{q}", exhibit->sites[1]);
+  put_site (sentence, "{r}", exhibit->sites[2]);
+  put (sentence, "{x}", x);
+  put (sentence, "{y}", y);
+  put (sentence, "{u}", translate (side_word (map->rounded[node[1]][node[0]])));
+  put (sentence, "{v}", translate (side_word (map->exact[node[1]][node[0]])));
+  g_strlcpy (text, sentence->str, NARRATION_ROOM);
+}
+
+void
+exhibit_narrate (Exhibit *exhibit,
                  guint step,
                  NarrationTranslate translate,
                  char text[NARRATION_ROOM])
 {
-  planar_narration_write (exhibit->planar, step, translate, text);
+  if (translate == NULL)
+    translate = same;
+  if (exhibit->kind == EXHIBIT_PLANAR)
+    planar_narration_write (exhibit->planar, step, translate, text);
+  else if (exhibit->kind == EXHIBIT_ROUNDED)
+    rounded_narration_write (exhibit_rounded_hull (exhibit, step), translate,
+                             text);
+  else if (exhibit->map != NULL)
+    narrate_signs (exhibit, translate, text);
+  else
+    g_strlcpy (text,
+               translate (N_ ("A sign map needs three sites, and doubles that "
+                              "are not too small.")),
+               NARRATION_ROOM);
 }
 
 const PseudocodeLine *
 exhibit_lines (const Exhibit *exhibit, guint *n_lines)
 {
-  (void)exhibit;
-  return planar_pseudocode_lines (n_lines);
+  return exhibit->kind == EXHIBIT_PLANAR ? planar_pseudocode_lines (n_lines)
+                                         : rounded_pseudocode_lines (n_lines);
 }
 
 guint
-exhibit_line (const Exhibit *exhibit, guint step)
+exhibit_line (Exhibit *exhibit, guint step)
 {
-  return planar_pseudocode_line (exhibit->planar, step);
+  if (exhibit->kind == EXHIBIT_PLANAR)
+    return planar_pseudocode_line (exhibit->planar, step);
+  return exhibit->kind == EXHIBIT_ROUNDED
+             ? rounded_pseudocode_line (exhibit_rounded_hull (exhibit, step))
+             : INDEX_NONE;
 }
+
+/* Pictures */
 
 const PlanarFrame *
 exhibit_planar_frame (Exhibit *exhibit, guint step)
@@ -113,10 +290,17 @@ exhibit_planar_frame (Exhibit *exhibit, guint step)
 void
 exhibit_scene (Exhibit *exhibit,
                guint step,
+               guint pane,
                Scene *scene,
                const SceneLook *look)
 {
-  scene_planar (scene, exhibit_planar_frame (exhibit, step), look);
+  if (exhibit->kind == EXHIBIT_PLANAR)
+    scene_planar (scene, exhibit_planar_frame (exhibit, step), look);
+  else if (exhibit->kind == EXHIBIT_ROUNDED || exhibit->map == NULL)
+    scene_rounded (scene, exhibit_rounded_hull (exhibit, step), pane == 1,
+                   look);
+  else
+    scene_sign_map (scene, exhibit->map, pane == 1, exhibit->node, look);
 }
 
 /* Counters */
@@ -128,12 +312,23 @@ is_whole (const PlanarFrame *frame)
   return frame->base == frame->step && frame->step >= frame->trace->start_end;
 }
 
-static GPtrArray *
-planar_laws (const PlanarFrame *frame)
+static void
+add_planar_round (GPtrArray *laws, const PlanarCounts *counts)
+{
+  laws_add (laws, "visible", _ ("visible edges"), "%u", counts->visible);
+  if (counts->horizon > 0)
+    laws_add (laws, "horizon", _ ("horizon corners"), "%u", counts->horizon);
+  if (counts->cone > 0)
+    laws_add (laws, "cone", _ ("new edges"), "%u", counts->cone);
+  if (counts->retired > 0)
+    laws_add (laws, "retired", _ ("retired"), "%u", counts->retired);
+}
+
+static void
+add_planar (GPtrArray *laws, const PlanarFrame *frame)
 {
   const PlanarCounts *counts = &frame->counts;
   const guint n_distinct = frame->trace->set->n_distinct;
-  GPtrArray *laws = laws_new ();
 
   laws_add (laws, "sites", _ ("sites"), "%u", n_distinct);
   if (frame->n_sites > n_distinct)
@@ -147,43 +342,65 @@ planar_laws (const PlanarFrame *frame)
               counts->waiting, n_distinct, counts->corners, counts->inside);
   else if (counts->waiting > 0)
     laws_add (laws, "waiting", _ ("still to decide"), "%u", counts->waiting);
-  if (frame->is_round_in_hand) {
-    laws_add (laws, "visible", _ ("visible edges"), "%u", counts->visible);
-    if (counts->horizon > 0)
-      laws_add (laws, "horizon", _ ("horizon corners"), "%u", counts->horizon);
-    if (counts->cone > 0)
-      laws_add (laws, "cone", _ ("new edges"), "%u", counts->cone);
-    if (counts->retired > 0)
-      laws_add (laws, "retired", _ ("retired"), "%u", counts->retired);
-  }
+  if (frame->is_round_in_hand)
+    add_planar_round (laws, counts);
   if (counts->outside_sets > 0)
     laws_add (laws, "outside-sets", _ ("outside sets"), "%u",
               counts->outside_sets);
-  return laws;
+}
+
+static void
+add_rounded (GPtrArray *laws, const RoundedHull *hull)
+{
+  laws_add (laws, "rounded-corners", _ ("corners by rounded signs"), "%u",
+            hull->n_corners);
+  laws_add (laws, "true-corners", _ ("corners in truth"), "%u", hull->n_true);
+  laws_add (laws, "lost-sites", _ ("corners lost"), "%u", hull->n_lost);
+}
+
+static void
+add_map (GPtrArray *laws, const SignMap *map)
+{
+  laws_add (laws, "nodes", _ ("nodes"), "%d = %d²",
+            SIGN_MAP_SIDE * SIGN_MAP_SIDE, SIGN_MAP_SIDE);
+  laws_add (laws, "wrong-signs", _ ("wrong signs"), "%u", map->n_wrong);
+  laws_add (laws, "grid", _ ("from node to node"), "%.3g", map->step);
 }
 
 GPtrArray *
 exhibit_laws (Exhibit *exhibit, guint step)
 {
-  return planar_laws (exhibit_planar_frame (exhibit, step));
+  GPtrArray *laws = laws_new ();
+
+  if (exhibit->kind == EXHIBIT_PLANAR)
+    add_planar (laws, exhibit_planar_frame (exhibit, step));
+  else if (exhibit->map != NULL)
+    add_map (laws, exhibit->map);
+  else
+    add_rounded (laws, exhibit_rounded_hull (exhibit, step));
+  return laws;
 }
 
-const char *const *
-exhibit_count_names (void)
-{
-  static const char *const names[] = { "hull-vertices", "ignored", NULL };
+typedef struct Count {
+  const char *key;
+  guint count;
+} Count;
 
-  return names;
+static gboolean
+look_up (const Count *rows, guint n_rows, const char *key, guint *count)
+{
+  for (guint i = 0; i < n_rows; i++)
+    if (g_str_equal (key, rows[i].key)) {
+      *count = rows[i].count;
+      return TRUE;
+    }
+  return FALSE;
 }
 
-gboolean
-exhibit_count (Exhibit *exhibit, guint step, const char *key, guint *count)
+static gboolean
+count_planar (const PlanarCounts *counts, const char *key, guint *count)
 {
-  const PlanarCounts *counts = &exhibit_planar_frame (exhibit, step)->counts;
-  const struct {
-    const char *key;
-    guint count;
-  } rows[] = {
+  const Count rows[] = {
     { "hull-vertices", counts->corners },
     { "ignored", counts->inside },
     { "waiting", counts->waiting },
@@ -194,10 +411,45 @@ exhibit_count (Exhibit *exhibit, guint step, const char *key, guint *count)
     { "retired", counts->retired },
   };
 
-  for (guint i = 0; i < G_N_ELEMENTS (rows); i++)
-    if (g_str_equal (key, rows[i].key)) {
-      *count = rows[i].count;
-      return TRUE;
-    }
-  return FALSE;
+  return look_up (rows, G_N_ELEMENTS (rows), key, count);
+}
+
+static gboolean
+count_rounded (const RoundedHull *hull, const char *key, guint *count)
+{
+  const Count rows[] = {
+    { "rounded-corners", hull->n_corners },
+    { "true-corners", hull->n_true },
+    { "lost-sites", hull->n_lost },
+  };
+
+  return look_up (rows, G_N_ELEMENTS (rows), key, count);
+}
+
+gboolean
+exhibit_count (Exhibit *exhibit, guint step, const char *key, guint *count)
+{
+  if (exhibit->kind == EXHIBIT_PLANAR)
+    return count_planar (&exhibit_planar_frame (exhibit, step)->counts, key,
+                         count);
+  if (exhibit->kind == EXHIBIT_ROUNDED)
+    return count_rounded (exhibit_rounded_hull (exhibit, step), key, count);
+  if (exhibit->map == NULL || !g_str_equal (key, "wrong-signs"))
+    return FALSE;
+  *count = exhibit->map->n_wrong;
+  return TRUE;
+}
+
+const char *const *
+exhibit_count_names (void)
+{
+  static const char *const names[]
+      = { "hull-vertices",        "ignored",           "facets-created",
+          "facets-seen",          "redistributions",   "cone-facets",
+          "other-round",          "other-visible",     "other-facets",
+          "other-facets-created", "other-facets-seen", "other-redistributions",
+          "other-cone-facets",    "wrong-signs",       "rounded-corners",
+          "true-corners",         "lost-sites",        NULL };
+
+  return names;
 }

@@ -6,10 +6,11 @@
 
 #include <glib/gi18n.h>
 
+/* Whether time is that of the trace. */
 static gboolean
 shows_lifts (Session *session)
 {
-  return session->exhibit_kind == EXHIBIT_LIFTS;
+  return session->exhibit_kind <= EXHIBIT_COMPARE;
 }
 
 ExhibitKind
@@ -22,7 +23,8 @@ Exhibit *
 session_get_exhibit (Session *session)
 {
   if (session->exhibit == NULL && !shows_lifts (session))
-    session->exhibit = exhibit_new (session->exhibit_kind, session->run);
+    session->exhibit
+        = exhibit_new (session->exhibit_kind, session->run, &session->turn);
   return session->exhibit;
 }
 
@@ -37,6 +39,7 @@ session_renew_exhibit (Session *session)
 {
   Exhibit *before = session->exhibit;
 
+  session_renew_other (session);
   if (before == NULL)
     return;
   session->exhibit = NULL;
@@ -64,8 +67,46 @@ session_set_exhibit_kind (Session *session, ExhibitKind kind)
     return;
   session_hold (session);
   session_put_exhibit (session, kind,
-                       kind == EXHIBIT_LIFTS ? session->step : G_MAXUINT);
+                       kind <= EXHIBIT_COMPARE ? session->step : G_MAXUINT);
   session_release (session);
+}
+
+const ExhibitTurn *
+session_get_turn (Session *session)
+{
+  return &session->turn;
+}
+
+static gboolean
+is_same_turn (const ExhibitTurn *a, const ExhibitTurn *b)
+{
+  return a->is_named == b->is_named
+         && (!a->is_named
+             || (a->sites[0] == b->sites[0] && a->sites[1] == b->sites[1]
+                 && a->sites[2] == b->sites[2]));
+}
+
+void
+session_put_turn (Session *session, const ExhibitTurn *turn)
+{
+  const gboolean is_same = is_same_turn (&session->turn, turn);
+
+  session->turn = *turn;
+  if (session->exhibit_kind != EXHIBIT_SIGNS)
+    return;
+  if (!is_same) {
+    exhibit_free (session->exhibit);
+    session->exhibit = NULL;
+  } else if (session->exhibit != NULL) {
+    exhibit_set_node (session->exhibit, turn->node);
+  }
+  session_tell (session, CHANGED_STEP);
+}
+
+void
+session_set_turn (Session *session, const ExhibitTurn *turn)
+{
+  session_put_turn (session, turn);
 }
 
 /* Time */
@@ -136,17 +177,80 @@ session_find_step (Session *session, Place place, gboolean before, guint *step)
 Pane
 session_get_pane (Session *session, guint pane)
 {
-  if (shows_lifts (session))
+  switch (session->exhibit_kind) {
+  case EXHIBIT_LIFTS:
     return pane == 0 ? PANE_PLANE : PANE_SPACE;
-  return pane == 0 ? PANE_PLANE : PANE_NONE;
+  case EXHIBIT_COMPARE:
+    return session->compares_space ? PANE_SPACE : PANE_PLANE;
+  case EXHIBIT_PLANAR:
+    return pane == 0 ? PANE_PLANE : PANE_NONE;
+  case EXHIBIT_SIGNS:
+  case EXHIBIT_ROUNDED:
+    return PANE_PLANE;
+  }
+  return PANE_NONE;
 }
 
 char *
 session_get_pane_title (Session *session, guint pane)
 {
-  if (session->exhibit_kind == EXHIBIT_PLANAR)
+  const Order orders[N_PANES]
+      = { session->run->trace->order, session->other_order };
+  g_autofree char *order = NULL;
+
+  switch (session->exhibit_kind) {
+  case EXHIBIT_LIFTS:
+    break;
+  case EXHIBIT_COMPARE:
+    order = session_order_name (&orders[pane]);
+    /* Translators: the order of insertion, furthest, input, random 7. */
+    return g_strdup_printf (_ ("Order: %s"), order);
+  case EXHIBIT_PLANAR:
     return g_strdup (_ ("Hull in the plane"));
+  case EXHIBIT_SIGNS:
+    return g_strdup (pane == 0 ? _ ("Signs in plain doubles (demonstration)")
+                               : _ ("True signs"));
+  case EXHIBIT_ROUNDED:
+    return g_strdup (pane == 0 ? _ ("Hull by plain doubles (demonstration)")
+                               : _ ("True hull"));
+  }
   return g_strdup (pane == 0 ? _ ("Plane") : _ ("Space"));
+}
+
+gboolean
+session_pane_has_facets (Session *session, guint pane)
+{
+  return shows_lifts (session)
+         && (pane == 0 || session->exhibit_kind == EXHIBIT_LIFTS);
+}
+
+/* Facets of the other run have other names: what is lit there are sites. */
+static SceneLook
+look_at_sites (const SceneLook *look)
+{
+  SceneLook result = *look;
+
+  if (result.selection.kind != OBJECT_SITE)
+    result.selection = (Object){ OBJECT_NONE, 0 };
+  if (result.hover.kind != OBJECT_SITE)
+    result.hover = (Object){ OBJECT_NONE, 0 };
+  result.layers &= ~(guint)LAYER_WHY;
+  result.has_preview = false;
+  return result;
+}
+
+static void
+fill_run (Session *session, guint pane, Scene *scene, const SceneLook *look)
+{
+  const gboolean is_main = session_pane_has_facets (session, pane);
+  const SceneLook its_look = is_main ? *look : look_at_sites (look);
+  const Frame *frame = is_main ? session_get_frame (session)
+                               : session_get_other_frame (session);
+
+  if (session_get_pane (session, pane) == PANE_SPACE)
+    scene_space (scene, frame, &its_look);
+  else
+    scene_plane (scene, frame, &its_look);
 }
 
 void
@@ -156,16 +260,14 @@ session_fill_scene (Session *session,
                     const SceneLook *look)
 {
   if (!shows_lifts (session))
-    exhibit_scene (session_get_exhibit (session), session->exhibit_step, scene,
-                   look);
-  else if (session_get_pane (session, pane) == PANE_SPACE)
-    scene_space (scene, session_get_frame (session), look);
+    exhibit_scene (session_get_exhibit (session), session->exhibit_step, pane,
+                   scene, look);
   else
-    scene_plane (scene, session_get_frame (session), look);
+    fill_run (session, pane, scene, look);
 }
 
 SiteState
-session_get_site_state (Session *session, guint site)
+session_get_site_state (Session *session, guint pane, guint site)
 {
   const Frame *frame;
 
@@ -174,7 +276,9 @@ session_get_site_state (Session *session, guint site)
                                  session->exhibit_step)
         ->sites[site]
         .state;
-  frame = session_get_frame (session);
+  frame = shows_lifts (session) && !session_pane_has_facets (session, pane)
+              ? session_get_other_frame (session)
+              : session_get_frame (session);
   return site < frame->n_sites ? frame->sites[site].state : SITE_WAITING;
 }
 
@@ -191,6 +295,16 @@ session_get_apex (Session *session)
                ? INDEX_NONE
                : planar->trace->rounds[planar->round].site;
   }
+  if (session->exhibit_kind == EXHIBIT_ROUNDED) {
+    const RoundedHull *hull = exhibit_rounded_hull (
+        session_get_exhibit (session), session->exhibit_step);
+
+    return hull->n_steps == 0 ? INDEX_NONE
+                              : hull->steps[hull->n_steps - 1].site;
+  }
+  /* Two runs may have two in hand. */
+  if (session->exhibit_kind != EXHIBIT_LIFTS)
+    return INDEX_NONE;
   frame = session_get_frame (session);
   return frame->round == INDEX_NONE ? INDEX_NONE
                                     : frame->trace->rounds[frame->round].site;
@@ -227,6 +341,8 @@ session_count (Session *session, const char *key, guint *count)
 {
   Quantity quantity;
 
+  if (shows_lifts (session) && session_count_run (session, key, count))
+    return TRUE;
   if (g_str_equal (key, "round"))
     *count = session_get_place (session).round;
   else if (g_str_equal (key, "step"))
@@ -247,7 +363,9 @@ narrate (Session *session, NarrationTranslate translate)
 {
   char text[NARRATION_ROOM];
 
-  if (shows_lifts (session))
+  if (session->exhibit_kind == EXHIBIT_COMPARE)
+    session_narrate_compare (session, translate, text);
+  else if (shows_lifts (session))
     narration_write (session->run->trace, session->step, translate, text);
   else
     exhibit_narrate (session_get_exhibit (session), session->exhibit_step,
@@ -279,6 +397,8 @@ session_narrate_in_english (Session *session)
 GPtrArray *
 session_get_laws (Session *session)
 {
+  if (session->exhibit_kind == EXHIBIT_COMPARE)
+    return session_compare_laws (session);
   return shows_lifts (session) ? laws_of (session_get_frame (session))
                                : exhibit_laws (session_get_exhibit (session),
                                                session->exhibit_step);

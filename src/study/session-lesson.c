@@ -14,6 +14,9 @@ session_get_state (Session *session)
   state->exhibit_step = session->exhibit_step;
   state->views = session->views;
   state->listing = session->listing;
+  state->other_order = session->other_order;
+  state->compares_space = session->compares_space;
+  state->turn = session->turn;
   state->camera = session->camera;
   state->told_theme = session->told_theme;
   return state;
@@ -60,6 +63,9 @@ session_put_state (Session *session,
   session_hold (session);
   session_end_edit (session);
   session_put_exhibit (session, EXHIBIT_LIFTS, session->step);
+  session_put_other_order (session, &state->other_order);
+  session_set_compares_space (session, state->compares_space);
+  session_put_turn (session, &state->turn);
   if (session->run == state->run) {
     session_put_step (session, state->step);
   } else {
@@ -69,7 +75,10 @@ session_put_state (Session *session,
     session_tell (session, CHANGED_CAMERA);
   }
   if (state->exhibit_kind != EXHIBIT_LIFTS)
-    session_put_exhibit (session, state->exhibit_kind, state->exhibit_step);
+    session_put_exhibit (session, state->exhibit_kind,
+                         state->exhibit_kind == EXHIBIT_COMPARE
+                             ? state->step
+                             : state->exhibit_step);
   put_look (session, from, state);
   session->look.extent = state->look.extent;
   session_release (session);
@@ -227,8 +236,8 @@ session_get_stop_step (Session *session, guint stop, guint *step)
   if (state->run != session->run
       || state->exhibit_kind != session->exhibit_kind)
     return FALSE;
-  *step = state->exhibit_kind == EXHIBIT_LIFTS ? state->step
-                                               : state->exhibit_step;
+  *step = state->exhibit_kind <= EXHIBIT_COMPARE ? state->step
+                                                 : state->exhibit_step;
   return TRUE;
 }
 

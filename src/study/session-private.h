@@ -21,6 +21,13 @@ struct _Session {
   ExhibitKind exhibit_kind;
   Exhibit *exhibit; /* of the run; NULL: the lifts, or not made yet */
   guint exhibit_step;
+  ExhibitTurn turn;
+
+  Order other_order; /* of EXHIBIT_COMPARE */
+  Run *other;        /* NULL: not made yet */
+  Frame other_frame;
+  gboolean has_other_frame;
+  gboolean compares_space; /* else the plane */
 
   Views views;
   Listing listing;
@@ -79,6 +86,18 @@ void session_put_step (Session *session, guint step);
 
 /* The run has become another: so does the exhibit of it, at the same place. */
 void session_renew_exhibit (Session *session);
+
+/* Inside of session-compare.c. */
+void session_renew_other (Session *session);
+void session_put_other_order (Session *session, const Order *order);
+gboolean session_count_run (Session *session, const char *key, guint *count);
+GPtrArray *session_compare_laws (Session *session);
+void session_narrate_compare (Session *session,
+                              NarrationTranslate translator,
+                              char text[NARRATION_ROOM]);
+
+/* Another turn or node of the sign map. */
+void session_put_turn (Session *session, const ExhibitTurn *turn);
 
 /* Shows another exhibit, or the lifts, at @step. */
 void session_put_exhibit (Session *session, ExhibitKind kind, guint step);

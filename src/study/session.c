@@ -45,6 +45,8 @@ session_init (Session *session)
   session->history = history_new ();
   session->answers = g_array_new (FALSE, FALSE, sizeof (SceneAnswer));
   session->speed = 1;
+  session->other_order = (Order){ ORDER_INPUT, 0 };
+  session->turn.node[0] = session->turn.node[1] = SIGN_MAP_SIDE / 2;
   session->look.layers = LAYERS_DEFAULT;
   session->look.focus = FOCUS_ACTIVE;
   session->look.raise = RAISE_DEFAULT;
@@ -65,6 +67,7 @@ session_finalize (GObject *object)
   if (session->has_frame)
     frame_clear (&session->frame);
   exhibit_free (session->exhibit);
+  session_renew_other (session);
   g_clear_pointer (&session->run, run_unref);
   g_clear_pointer (&session->drag_run, run_unref);
   g_clear_pointer (&session->history, history_free);
@@ -154,7 +157,7 @@ session_put_step (Session *session, guint step)
   step = MIN (step, session_get_n_steps (session));
   if (step == session_get_step (session))
     return;
-  if (session->exhibit_kind != EXHIBIT_LIFTS) {
+  if (session->exhibit_kind > EXHIBIT_COMPARE) {
     session->exhibit_step = step;
   } else {
     drop_frame (session);

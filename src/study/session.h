@@ -15,6 +15,7 @@
 #include "appearance.h"
 #include "exercise.h"
 #include "exhibit.h"
+#include "insertion-cost.h"
 #include "lesson.h"
 #include "listing.h"
 #include "scene.h"
@@ -205,6 +206,31 @@ void session_set_views (Session *session, Views views);
 Listing session_get_listing (Session *session);
 void session_set_listing (Session *session, Listing listing);
 
+/* Two runs of the same sites in two orders, in step by round: the session's
+ * own, on the left, and another one. */
+void session_compare (Session *session, const Order orders[2]);
+Order session_get_other_order (Session *session);
+const Trace *session_get_other_trace (Session *session);
+guint session_get_other_step (Session *session);
+const Frame *session_get_other_frame (Session *session);
+InsertionCost session_get_cost (Session *session, guint pane);
+
+/* Whether space is compared, not the plane. */
+gboolean session_get_compares_space (Session *session);
+void session_set_compares_space (Session *session, gboolean space);
+
+/* Returns: (transfer full): the sentence of one of the two runs, and the site
+ *          that it has in hand, or INDEX_NONE. */
+char *session_narrate_pane (Session *session, guint pane);
+guint session_get_pane_apex (Session *session, guint pane);
+
+/* Returns: (transfer full): "random 7", as lessons write it. */
+char *session_order_name (const Order *order);
+
+/* The turn whose signs are shown. */
+const ExhibitTurn *session_get_turn (Session *session);
+void session_set_turn (Session *session, const ExhibitTurn *turn);
+
 /* The two pictures, 0 on the left and 1 on the right. */
 typedef enum Pane {
   PANE_NONE,
@@ -226,8 +252,11 @@ void session_fill_scene (Session *session,
                          Scene *scene,
                          const SceneLook *look);
 
-/* Returns: what a site is at the step of what is shown. */
-SiteState session_get_site_state (Session *session, guint site);
+/* Returns: what a site is at the step of what a picture shows. */
+SiteState session_get_site_state (Session *session, guint pane, guint site);
+
+/* Returns: whether a picture shows facets by the names of the trace. */
+gboolean session_pane_has_facets (Session *session, guint pane);
 
 /* Returns: the site of the round in hand or of the last one, or INDEX_NONE. */
 guint session_get_apex (Session *session);

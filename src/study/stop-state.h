@@ -13,7 +13,10 @@ struct StopState {
   guint step; /* of the lifts' trace */
   ExhibitKind exhibit_kind;
   guint exhibit_step; /* of another exhibit */
-  SceneLook look;     /* without what the pointer makes of it */
+  Order other_order;  /* of two runs */
+  gboolean compares_space;
+  ExhibitTurn turn;
+  SceneLook look; /* without what the pointer makes of it */
   Views views;
   Listing listing;
   Camera camera;

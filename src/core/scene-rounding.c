@@ -1,0 +1,201 @@
+#include "scene-rounding.h"
+
+#include "scene-builder.h"
+
+#include <math.h>
+
+#define NO_OBJECT ((Object){ OBJECT_NONE, 0 })
+
+/* Sign maps */
+
+static Role
+sign_role (int sign)
+{
+  if (sign == 0)
+    return ROLE_SIGN_ZERO;
+  return sign > 0 ? ROLE_SIGN_LEFT : ROLE_SIGN_RIGHT;
+}
+
+/* The border of a column or row: the map fills the square -1 … 1. */
+static double
+border (uint32_t i)
+{
+  return 2.0 * i / SIGN_MAP_SIDE - 1;
+}
+
+/* Each run reaches a node further to the right and down, under the runs that
+ * are painted after it: so no ground shows between them. */
+static void
+add_run (
+    SceneBuilder *builder, int sign, uint32_t row, uint32_t first, uint32_t end)
+{
+  const double left = border (first);
+  const double right = border (end < SIGN_MAP_SIDE ? end + 1 : end);
+  const double top = border (row + 1);
+  const double bottom = border (row > 0 ? row - 1 : row);
+
+  scene_add (builder, SHAPE_POLYGON, sign_role (sign), NO_OBJECT);
+  scene_add_point (builder, (Point3){ left, bottom, 0 });
+  scene_add_point (builder, (Point3){ right, bottom, 0 });
+  scene_add_point (builder, (Point3){ right, top, 0 });
+  scene_add_point (builder, (Point3){ left, top, 0 });
+}
+
+static void
+add_row (SceneBuilder *builder,
+         const signed char signs[SIGN_MAP_SIDE],
+         uint32_t row)
+{
+  uint32_t first = 0, i;
+
+  for (i = 1; i <= SIGN_MAP_SIDE; i++) {
+    if (i < SIGN_MAP_SIDE && signs[i] == signs[first])
+      continue;
+    add_run (builder, signs[first], row, first, i);
+    first = i;
+  }
+}
+
+static void
+add_node (SceneBuilder *builder, const uint32_t node[2])
+{
+  const double left = border (node[0]), right = border (node[0] + 1);
+  const double bottom = border (node[1]), top = border (node[1] + 1);
+  const Point3 corners[5] = { { left, bottom, 0 },
+                              { right, bottom, 0 },
+                              { right, top, 0 },
+                              { left, top, 0 },
+                              { left, bottom, 0 } };
+  int i;
+
+  scene_add (builder, SHAPE_PATH, ROLE_SIGN_NODE, NO_OBJECT);
+  for (i = 0; i < 5; i++)
+    scene_add_point (builder, corners[i]);
+}
+
+void
+scene_sign_map (Scene *scene,
+                const SignMap *map,
+                bool is_exact,
+                const uint32_t node[2],
+                const SceneLook *look)
+{
+  SceneBuilder builder;
+  uint32_t row;
+
+  scene_builder_open (&builder, scene, look, 0);
+  scene->is_space = false;
+  builder.pass = PASS_GROUND;
+  for (row = SIGN_MAP_SIDE; row-- > 0;)
+    add_row (&builder, is_exact ? map->exact[row] : map->rounded[row], row);
+  add_node (&builder, node);
+}
+
+/* Hulls */
+
+static Point3
+at (const SceneBuilder *builder, const RoundedHull *hull, uint32_t site)
+{
+  return scene_point (builder->look, &hull->set->sites[site], false);
+}
+
+static void
+add_loop (SceneBuilder *builder,
+          const RoundedHull *hull,
+          Role role,
+          const uint32_t *corners,
+          uint32_t n)
+{
+  uint32_t i;
+
+  for (i = 0; i < n && n > 1; i++)
+    scene_add_segment (builder, role, NO_OBJECT,
+                       (Point3[2]){ at (builder, hull, corners[i]),
+                                    at (builder, hull, corners[(i + 1) % n]) });
+}
+
+static void
+add_area (SceneBuilder *builder, const RoundedHull *hull)
+{
+  uint32_t i;
+
+  if (hull->n_true < 3)
+    return;
+  scene_add (builder, SHAPE_POLYGON, ROLE_HULL_AREA, NO_OBJECT);
+  for (i = 0; i < hull->n_true; i++)
+    scene_add_point (builder, at (builder, hull, hull->true_corners[i]));
+}
+
+static bool
+is_tried (const RoundedHull *hull, uint32_t site)
+{
+  uint32_t i;
+
+  for (i = 0; hull->n_steps > 0 && i < hull->n_steps + 2; i++)
+    if (hull->order[i] == site)
+      return true;
+  return false;
+}
+
+static bool
+is_among (const uint32_t *sites, uint32_t n, uint32_t site)
+{
+  uint32_t i;
+
+  for (i = 0; i < n; i++)
+    if (sites[i] == site)
+      return true;
+  return false;
+}
+
+static Role
+site_role (const RoundedHull *hull, bool is_exact, uint32_t site)
+{
+  const bool is_corner = is_exact
+                             ? is_among (hull->true_corners, hull->n_true, site)
+                             : is_among (hull->corners, hull->n_corners, site);
+
+  if (hull->set->first[site] != site)
+    return ROLE_SITE_DUPLICATE;
+  if (hull->n_steps > 0 && hull->steps[hull->n_steps - 1].site == site)
+    return ROLE_SITE_APEX;
+  if (!is_tried (hull, site))
+    return ROLE_SITE_WAITING;
+  if (!is_exact && rounded_hull_has_lost (hull, site))
+    return ROLE_SITE_LOST;
+  return is_corner ? ROLE_SITE : ROLE_SITE_IGNORED;
+}
+
+static void
+add_sites (SceneBuilder *builder, const RoundedHull *hull, bool is_exact)
+{
+  uint32_t site;
+
+  for (site = 0; site < hull->set->n_sites; site++)
+    scene_add_mark (builder, site_role (hull, is_exact, site),
+                    (Object){ OBJECT_SITE, site }, at (builder, hull, site),
+                    scene_label (builder, 's', site));
+}
+
+void
+scene_rounded (Scene *scene,
+               const RoundedHull *hull,
+               bool is_exact,
+               const SceneLook *look)
+{
+  SceneBuilder builder;
+
+  scene_builder_open (&builder, scene, look, hull->set->n_sites);
+  scene->is_space = false;
+  builder.pass = PASS_GROUND;
+  scene_add_frame (&builder);
+  if (is_exact)
+    add_area (&builder, hull);
+  if (is_exact)
+    add_loop (&builder, hull, ROLE_HULL_EDGE, hull->true_corners, hull->n_true);
+  else
+    add_loop (&builder, hull, ROLE_ROUNDED_EDGE, hull->corners,
+              hull->n_corners);
+  builder.pass = PASS_MARKS;
+  add_sites (&builder, hull, is_exact);
+}

@@ -1,0 +1,278 @@
+/* A second run of the same sites in another order, in step by round. */
+#include "session-private.h"
+
+#include "laws.h"
+#include "narration-template.h"
+#include "quantity.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+#define OTHER "other-"
+
+Order
+session_get_other_order (Session *session)
+{
+  return session->other_order;
+}
+
+static void
+drop_other (Session *session)
+{
+  if (session->has_other_frame)
+    frame_clear (&session->other_frame);
+  session->has_other_frame = FALSE;
+  g_clear_pointer (&session->other, run_unref);
+}
+
+void
+session_renew_other (Session *session)
+{
+  drop_other (session);
+}
+
+void
+session_put_other_order (Session *session, const Order *order)
+{
+  if (order->kind == session->other_order.kind
+      && order->seed == session->other_order.seed)
+    return;
+  drop_other (session);
+  session->other_order = *order;
+  session_tell (session, CHANGED_EXHIBIT | CHANGED_SITES | CHANGED_STEP);
+}
+
+void
+session_compare (Session *session, const Order orders[2])
+{
+  session_hold (session);
+  session_put_exhibit (session, EXHIBIT_LIFTS, session->step);
+  session_set_order (session, &orders[0]);
+  session_put_other_order (session, &orders[1]);
+  session_put_exhibit (session, EXHIBIT_COMPARE, session->step);
+  if (session->is_replaying)
+    session->n_sites_made += session->run->set->n_sites;
+  session_release (session);
+}
+
+static Run *
+get_other (Session *session)
+{
+  g_autofree Site *sites = NULL;
+
+  if (session->other != NULL)
+    return session->other;
+  sites = run_given (session->run);
+  /* They have a run already, so they have another. */
+  session->other
+      = run_new (sites, session->run->set->n_sites, &session->other_order);
+  return session->other;
+}
+
+const Trace *
+session_get_other_trace (Session *session)
+{
+  return get_other (session)->trace;
+}
+
+/* As far into the same phase of the same round; where the one run is at the
+ * end of a phase, so is the other. */
+guint
+session_get_other_step (Session *session)
+{
+  const Run *other = get_other (session);
+  const Place place = timeline_place (session->run->trace, session->step);
+  guint end, other_end;
+
+  if (timeline_find (session->run->trace, place, false, &end)
+      && end == session->step
+      && timeline_find (other->trace, place, false, &other_end))
+    return other_end;
+  return run_same_place (session->run, session->step, other);
+}
+
+const Frame *
+session_get_other_frame (Session *session)
+{
+  const guint step = session_get_other_step (session);
+
+  if (session->has_other_frame && session->other_frame.step == step)
+    return &session->other_frame;
+  if (session->has_other_frame)
+    frame_clear (&session->other_frame);
+  frame_init (&session->other_frame, session_get_other_trace (session), step);
+  session->has_other_frame = TRUE;
+  return &session->other_frame;
+}
+
+gboolean
+session_get_compares_space (Session *session)
+{
+  return session->compares_space;
+}
+
+void
+session_set_compares_space (Session *session, gboolean space)
+{
+  if (space == session->compares_space)
+    return;
+  session->compares_space = space;
+  session_tell (session, CHANGED_EXHIBIT | CHANGED_LOOK);
+}
+
+/* Numbers */
+
+InsertionCost
+session_get_cost (Session *session, guint pane)
+{
+  return pane == 0 ? insertion_cost (session->run->trace, session->step)
+                   : insertion_cost (session_get_other_trace (session),
+                                     session_get_other_step (session));
+}
+
+static gboolean
+count_cost (const InsertionCost *cost, const char *key, guint *count)
+{
+  const struct {
+    const char *key;
+    guint count;
+  } rows[] = {
+    { "facets-created", cost->facets_created },
+    { "facets-seen", cost->facets_seen },
+    { "redistributions", cost->redistributions },
+    { "cone-facets", cost->cone_facets },
+  };
+
+  for (guint i = 0; i < G_N_ELEMENTS (rows); i++)
+    if (g_str_equal (key, rows[i].key)) {
+      *count = rows[i].count;
+      return TRUE;
+    }
+  return FALSE;
+}
+
+gboolean
+session_count_run (Session *session, const char *key, guint *count)
+{
+  const gboolean is_other = g_str_has_prefix (key, OTHER);
+  InsertionCost cost;
+  Quantity quantity;
+
+  if (is_other && session->exhibit_kind != EXHIBIT_COMPARE)
+    return FALSE;
+  if (is_other)
+    key += strlen (OTHER);
+  cost = session_get_cost (session, is_other ? 1 : 0);
+  if (count_cost (&cost, key, count))
+    return TRUE;
+  if (!quantity_parse (key, &quantity))
+    return FALSE;
+  *count = quantity_value (is_other ? session_get_other_frame (session)
+                                    : session_get_frame (session),
+                           quantity);
+  return TRUE;
+}
+
+static void
+add_both (GPtrArray *laws, const char *key, const char *name, guint a, guint b)
+{
+  /* Translators: the counts of two runs, beside each other. */
+  laws_add (laws, key, name, _ ("%u | %u"), a, b);
+}
+
+GPtrArray *
+session_compare_laws (Session *session)
+{
+  const InsertionCost a = session_get_cost (session, 0);
+  const InsertionCost b = session_get_cost (session, 1);
+  GPtrArray *laws = laws_new ();
+
+  add_both (laws, "facets", _ ("facets"),
+            session_get_frame (session)->counts.facets,
+            session_get_other_frame (session)->counts.facets);
+  add_both (laws, "facets-created", _ ("facets created"), a.facets_created,
+            b.facets_created);
+  add_both (laws, "facets-seen", _ ("found visible"), a.facets_seen,
+            b.facets_seen);
+  add_both (laws, "redistributions", _ ("handed over"), a.redistributions,
+            b.redistributions);
+  if (a.n_cones == 0)
+    return laws;
+  laws_add (laws, "cone-mean", _ ("mean cone"), "%.2f | %.2f",
+            (double)a.cone_facets / a.n_cones,
+            b.n_cones == 0 ? 0.0 : (double)b.cone_facets / b.n_cones);
+  laws_add (laws, "cone-expected", _ ("random order: 6 − 12/k"), "%.2f",
+            a.expected_cone);
+  return laws;
+}
+
+/* Words */
+
+static const char *
+translate (const char *english)
+{
+  return _ (english);
+}
+
+char *
+session_narrate_pane (Session *session, guint pane)
+{
+  char text[NARRATION_ROOM];
+
+  if (pane == 0)
+    narration_write (session->run->trace, session->step, translate, text);
+  else
+    narration_write (session_get_other_trace (session),
+                     session_get_other_step (session), translate, text);
+  return g_strdup (text);
+}
+
+guint
+session_get_pane_apex (Session *session, guint pane)
+{
+  const Frame *frame = pane == 0 ? session_get_frame (session)
+                                 : session_get_other_frame (session);
+
+  return frame->round == INDEX_NONE ? INDEX_NONE
+                                    : frame->trace->rounds[frame->round].site;
+}
+
+static const char *
+compare_template (Session *session, const guint apex[2])
+{
+  if (session->step == session->run->trace->n_events)
+    return N_ ("Both hulls are complete, and they have the same facets but for "
+               "ties.");
+  if (apex[0] == INDEX_NONE || apex[1] == INDEX_NONE)
+    return N_ ("Two runs of the same sites, before their first round.");
+  return apex[0] == apex[1]
+             ? N_ ("Round {n}: both runs insert {p}.")
+             : N_ ("Round {n}: the left run inserts {p}, the right one {q}.");
+}
+
+void
+session_narrate_compare (Session *session,
+                         NarrationTranslate translator,
+                         char text[NARRATION_ROOM])
+{
+  const guint apex[2] = { session_get_pane_apex (session, 0),
+                          session_get_pane_apex (session, 1) };
+  const char *template = compare_template (session, apex);
+  const NarrationParts parts
+      = { .site = apex[0],
+          .other = apex[1],
+          .number = timeline_place (session->run->trace, session->step).round };
+
+  narration_fill (translator != NULL ? translator (template) : template, &parts,
+                  text);
+}
+
+char *
+session_order_name (const Order *order)
+{
+  const char *name = order_kind_name (order->kind);
+
+  return order->kind != ORDER_RANDOM
+             ? g_strdup (name)
+             : g_strdup_printf ("%s %" G_GUINT64_FORMAT, name, order->seed);
+}
