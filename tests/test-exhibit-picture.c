@@ -24,6 +24,11 @@ static const Case cases[] = {
   { "planar-see", THIRTEEN, { "view planar", "goto round 2 see" } },
   { "planar-cone", THIRTEEN, { "view planar", "goto round 2 cone" } },
   { "planar-end", THIRTEEN, { "view planar" } },
+  { "compare-cone",
+    THIRTEEN,
+    { "compare furthest input", "goto round 3 cone" } },
+  { "signs-fig2a", "", { "rounding fig2a" } },
+  { "rounded-a1", "", { "rounding A1", "view rounded" } },
 };
 
 static void
@@ -45,7 +50,8 @@ play (const Case *what)
   g_autofree char *sites = g_strconcat ("sites ", what->sites, NULL);
   Session *session = session_new ();
 
-  run (session, sites);
+  if (what->sites[0] != '\0')
+    run (session, sites);
   for (guint i = 0; i < G_N_ELEMENTS (what->commands); i++)
     if (what->commands[i] != NULL)
       run (session, what->commands[i]);

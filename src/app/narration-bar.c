@@ -46,6 +46,9 @@ place_text (Session *session)
   const Place place = session_get_place (session);
   const char *phase = phase_text (place.phase);
 
+  /* What stands still has no time. */
+  if (n_events == 0)
+    return g_strdup ("");
   if (place.round == 0 || place.phase == PHASE_COMPLETE)
     return g_strdup_printf (_ ("event %u of %u · %s"), step, n_events, phase);
   return g_strdup_printf (_ ("event %u of %u · round %u, %s"), step, n_events,
