@@ -305,18 +305,22 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/work/the-session-stays-as-it-was-until-then", test_stays);
-  g_test_add_func ("/work/the-hull-is-the-one-made-at-once", test_same);
-  g_test_add_func ("/work/what-is-given-up-changes-nothing", test_cancel);
-  g_test_add_func ("/work/what-cannot-be-compared-is-told-at-once", test_range);
-  g_test_add_func ("/work/small-sets-are-there-at-once", test_small);
-  g_test_add_func ("/work/edits-are-undone-and-redone", test_edits);
-  g_test_add_func ("/work/cells-keep-their-hues", test_hues);
-  g_test_add_func ("/work/an-undo-given-up-is-not-done", test_undo_cancelled);
-  g_test_add_func ("/work/another-order-comes-later", test_order);
-  g_test_add_func ("/work/a-drag-ends-where-it-was-let-go", test_drag);
-  g_test_add_func ("/work/the-last-edit-counts", test_replaced);
-  g_test_add_func ("/work/a-session-may-go-away", test_left);
-  g_test_add_func ("/work/the-main-loop-goes-on", test_loop);
+  g_test_add_func ("/session-work/the-session-stays-as-it-was-until-then",
+                   test_stays);
+  g_test_add_func ("/session-work/the-hull-is-the-one-made-at-once", test_same);
+  g_test_add_func ("/session-work/what-is-given-up-changes-nothing",
+                   test_cancel);
+  g_test_add_func ("/session-work/what-cannot-be-compared-is-told-at-once",
+                   test_range);
+  g_test_add_func ("/session-work/small-sets-are-there-at-once", test_small);
+  g_test_add_func ("/session-work/edits-are-undone-and-redone", test_edits);
+  g_test_add_func ("/session-work/cells-keep-their-hues", test_hues);
+  g_test_add_func ("/session-work/an-undo-given-up-is-not-done",
+                   test_undo_cancelled);
+  g_test_add_func ("/session-work/another-order-comes-later", test_order);
+  g_test_add_func ("/session-work/a-drag-ends-where-it-was-let-go", test_drag);
+  g_test_add_func ("/session-work/the-last-edit-counts", test_replaced);
+  g_test_add_func ("/session-work/a-session-may-go-away", test_left);
+  g_test_add_func ("/session-work/the-main-loop-goes-on", test_loop);
   return g_test_run ();
 }
