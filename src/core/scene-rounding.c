@@ -46,13 +46,13 @@ add_row (SceneBuilder *builder,
          const signed char signs[SIGN_MAP_SIDE],
          uint32_t row)
 {
-  uint32_t first = 0, i;
+  uint32_t first, end;
 
-  for (i = 1; i <= SIGN_MAP_SIDE; i++) {
-    if (i < SIGN_MAP_SIDE && signs[i] == signs[first])
-      continue;
-    add_run (builder, signs[first], row, first, i);
-    first = i;
+  for (first = 0; first < SIGN_MAP_SIDE; first = end) {
+    for (end = first + 1; end < SIGN_MAP_SIDE; end++)
+      if (signs[end] != signs[first])
+        break;
+    add_run (builder, signs[first], row, first, end);
   }
 }
 
