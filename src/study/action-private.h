@@ -1,11 +1,20 @@
-/* The functions of the rows of the action table. What is in Action.data is
- * said at each. */
+/* The parts of the action table, and the functions of their rows. What is in
+ * Action.data is said at each. */
 #ifndef ACTION_PRIVATE_H
 #define ACTION_PRIVATE_H
 
 #include "action.h"
 
 G_BEGIN_DECLS
+
+typedef struct ActionRows {
+  const Action *rows;
+  guint n_rows;
+} ActionRows;
+
+extern const ActionRows action_rows_time; /* time, questions, states */
+extern const ActionRows action_rows_look; /* what is shown and how */
+extern const ActionRows action_rows_edit; /* sites, and the window's own */
 
 #define ACTION_RUN(name)                                                       \
   gboolean name (const Action *action G_GNUC_UNUSED, Session *session,         \
