@@ -44,11 +44,19 @@ hue_at (Session *session, Site at)
 }
 
 static void
+check_hue (Session *session, Site at, guint32 expected)
+{
+  const guint32 hue = hue_at (session, at);
+
+  g_assert_cmpuint (hue, ==, expected);
+}
+
+static void
 check_others (Session *session, guint but, const guint32 *hues)
 {
   for (guint i = 0; i < N_SITES; i++)
     if (i != but)
-      g_assert_cmpuint (hue_at (session, sites[i]), ==, hues[i]);
+      check_hue (session, sites[i], hues[i]);
 }
 
 static void
@@ -73,7 +81,7 @@ test_drag (void)
     const Site to = { -1 + i / 20.0, 0.8 * sin (i / 3.0) };
 
     g_assert_true (session_move_site (session, 2, to, NULL));
-    g_assert_cmpuint (hue_at (session, to), ==, hues[2]);
+    check_hue (session, to, hues[2]);
     check_others (session, 2, hues);
   }
   session_end_edit (session);
@@ -113,7 +121,7 @@ test_addition (void)
     g_assert_true (i == 1 || hue != hues[i]);
   check_others (session, 1, hues);
   g_assert_true (session_remove_site (session, 0, NULL));
-  g_assert_cmpuint (hue_at (session, added), ==, hue);
+  check_hue (session, added, hue);
 }
 
 static void
@@ -139,7 +147,7 @@ test_history (void)
   get_hues (session, hues);
   g_assert_true (session_remove_site (session, 4, NULL));
   g_assert_true (session_move_site (session, 4, (Site){ 0.5, -0.9 }, NULL));
-  g_assert_cmpuint (hue_at (session, (Site){ 0.5, -0.9 }), ==, hues[5]);
+  check_hue (session, (Site){ 0.5, -0.9 }, hues[5]);
   g_assert_true (session_undo (session));
   check_others (session, 4, hues);
   g_assert_true (session_undo (session));

@@ -155,7 +155,9 @@ fit (void *rows, size_t n, size_t size)
 {
   void *fitting = realloc (rows, n > 0 ? n * size : 1);
 
-  return fitting != NULL ? fitting : rows;
+  if (fitting == NULL)
+    return rows;
+  return fitting;
 }
 
 static void
