@@ -34,18 +34,21 @@ lesson_list_new (void)
   return entries;
 }
 
-char *
-lesson_list_first (void)
-{
-  g_autoptr (GPtrArray) paths = locate_lesson_files ();
-
-  return paths->len > 0 ? g_strdup (g_ptr_array_index (paths, 0)) : NULL;
-}
-
 guint
 lesson_list_number (const char *path)
 {
   g_autofree char *name = g_path_get_basename (path);
 
   return (guint)g_ascii_strtoull (name, NULL, 10);
+}
+
+char *
+lesson_list_first (void)
+{
+  g_autoptr (GPtrArray) paths = locate_lesson_files ();
+
+  for (guint i = 0; i < paths->len; i++)
+    if (lesson_list_number (g_ptr_array_index (paths, i)) > 0)
+      return g_strdup (g_ptr_array_index (paths, i));
+  return NULL;
 }

@@ -24,7 +24,8 @@ step_template (const RoundedHull *hull, const RoundedStep *step)
     if (step->n_wrong > 0)
       return N_ ("{p} takes the place of {n} edges that it seems to see; at "
                  "{a} {b} the rounded sign is wrong.");
-    return N_ ("{p} sees {n} edges and takes their place.");
+    return step->n_seen == 1 ? N_ ("{p} sees one edge and takes its place.")
+                             : N_ ("{p} sees {n} edges and takes their place.");
   }
   return "";
 }
