@@ -1,119 +1,6 @@
-#include "scene.h"
-
-#include "clip.h"
-#include "fixture.h"
+#include "stage.h"
 
 #include <math.h>
-
-/* A frame with both of its scenes. */
-typedef struct Stage {
-  Fixture *fixture;
-  Frame frame;
-  SceneLook look;
-  Scene plane, space;
-  Projection on_plane, on_space;
-} Stage;
-
-static void
-stage_draw (Stage *stage)
-{
-  scene_plane (&stage->plane, &stage->frame, &stage->look);
-  scene_space (&stage->space, &stage->frame, &stage->look);
-}
-
-static void
-stage_project (Stage *stage, double width, double height)
-{
-  PlaneCamera plane;
-  Camera space;
-
-  plane_camera_init (&plane);
-  camera_init (&space, CAMERA_HOME);
-  stage->on_plane = plane_camera_projection (&plane, width, height);
-  stage->on_space = camera_projection (&space, width, height);
-  scene_look_fit (&stage->look, &stage->on_plane, 6);
-}
-
-/* Takes over the fixture. */
-static Stage *
-stage_take (Fixture *fixture, uint32_t step)
-{
-  Stage *stage = g_new0 (Stage, 1);
-
-  stage->fixture = fixture;
-  frame_init (&stage->frame, fixture->trace, step);
-  scene_look_init (&stage->look, &stage->frame);
-  stage_project (stage, 500, 500);
-  stage_draw (stage);
-  return stage;
-}
-
-static Stage *
-stage_new (const char *name, uint32_t round, Phase phase)
-{
-  Fixture *fixture = fixture_load (name, ORDER_FURTHEST);
-  uint32_t step;
-
-  g_assert_true (
-      timeline_find (fixture->trace, (Place){ round, phase }, false, &step));
-  return stage_take (fixture, step);
-}
-
-static Stage *
-stage_at_end (const char *name)
-{
-  Fixture *fixture = fixture_load (name, ORDER_FURTHEST);
-
-  return stage_take (fixture, fixture->trace->n_events);
-}
-
-static void
-stage_free (Stage *stage)
-{
-  scene_clear (&stage->plane);
-  scene_clear (&stage->space);
-  frame_clear (&stage->frame);
-  fixture_free (stage->fixture);
-  g_free (stage);
-}
-
-G_DEFINE_AUTOPTR_CLEANUP_FUNC (Stage, stage_free)
-
-static guint
-count_role (const Scene *scene, Role role)
-{
-  guint i, n = 0;
-
-  for (i = 0; i < scene->n_items; i++)
-    n += scene->items[i].role == role;
-  return n;
-}
-
-static const SceneItem *
-find_item (const Scene *scene, Role role, Object object)
-{
-  guint i;
-
-  for (i = 0; i < scene->n_items; i++)
-    if (scene->items[i].role == role
-        && object_equal (scene->items[i].object, object))
-      return &scene->items[i];
-  return NULL;
-}
-
-static const Site *
-site_of (const Stage *stage, uint32_t site)
-{
-  return &stage->fixture->set->sites[site];
-}
-
-static Pixel
-pixel_of (const Projection *projection, Point3 point)
-{
-  const Point3 at = projection_apply (projection, point);
-
-  return (Pixel){ at.x, at.y };
-}
 
 static Role
 role_of_point (const Scene *scene, guint point)
@@ -207,17 +94,18 @@ test_active_set (void)
   g_autoptr (Stage) over = stage_new ("lecture8", 4, PHASE_HAND_OVER);
 
   /* Round 4 of this set: 4 visible facets, all lower; a cone of 6. */
-  g_assert_cmpuint (count_role (&see->plane, ROLE_VISIBLE), ==, 4);
-  g_assert_cmpuint (count_role (&see->space, ROLE_VISIBLE), ==, 8);
-  g_assert_cmpuint (count_role (&see->plane, ROLE_VORONOI_VERTEX_DYING), ==, 4);
-  g_assert_cmpuint (count_role (&see->plane, ROLE_HORIZON), ==, 0);
-  g_assert_cmpuint (count_role (&horizon->plane, ROLE_HORIZON), ==, 6);
-  g_assert_cmpuint (count_role (&horizon->space, ROLE_HORIZON), ==, 12);
-  g_assert_cmpuint (count_role (&cone->plane, ROLE_CONE), ==, 6);
-  g_assert_cmpuint (count_role (&cone->plane, ROLE_CONE_EDGE), ==, 6);
-  g_assert_cmpuint (count_role (&over->plane, ROLE_CONE), ==, 6);
-  g_assert_cmpuint (count_role (&over->plane, ROLE_VISIBLE), ==, 0);
-  g_assert_cmpuint (count_role (&over->plane, ROLE_SITE_APEX), ==, 1);
+  g_assert_cmpuint (stage_count (&see->plane, ROLE_VISIBLE), ==, 4);
+  g_assert_cmpuint (stage_count (&see->space, ROLE_VISIBLE), ==, 8);
+  g_assert_cmpuint (stage_count (&see->plane, ROLE_VORONOI_VERTEX_DYING), ==,
+                    4);
+  g_assert_cmpuint (stage_count (&see->plane, ROLE_HORIZON), ==, 0);
+  g_assert_cmpuint (stage_count (&horizon->plane, ROLE_HORIZON), ==, 6);
+  g_assert_cmpuint (stage_count (&horizon->space, ROLE_HORIZON), ==, 12);
+  g_assert_cmpuint (stage_count (&cone->plane, ROLE_CONE), ==, 6);
+  g_assert_cmpuint (stage_count (&cone->plane, ROLE_CONE_EDGE), ==, 6);
+  g_assert_cmpuint (stage_count (&over->plane, ROLE_CONE), ==, 6);
+  g_assert_cmpuint (stage_count (&over->plane, ROLE_VISIBLE), ==, 0);
+  g_assert_cmpuint (stage_count (&over->plane, ROLE_SITE_APEX), ==, 1);
 }
 
 /* mixed8: round 1 sees two lower facets from outside, round 2 three upper
@@ -229,16 +117,16 @@ test_upper (void)
   g_autoptr (Stage) both = stage_new ("mixed8", 4, PHASE_CONE);
   g_autoptr (Stage) ring = stage_new ("mixed8", 4, PHASE_HORIZON);
 
-  g_assert_cmpuint (count_role (&upper->plane, ROLE_VISIBLE), ==, 0);
-  g_assert_cmpuint (count_role (&upper->space, ROLE_VISIBLE_UPPER), ==, 3);
-  g_assert_cmpuint (count_role (&upper->plane, ROLE_VORONOI_VERTEX_DYING), ==,
+  g_assert_cmpuint (stage_count (&upper->plane, ROLE_VISIBLE), ==, 0);
+  g_assert_cmpuint (stage_count (&upper->space, ROLE_VISIBLE_UPPER), ==, 3);
+  g_assert_cmpuint (stage_count (&upper->plane, ROLE_VORONOI_VERTEX_DYING), ==,
                     0);
-  g_assert_cmpuint (count_role (&both->plane, ROLE_CONE), ==, 3);
-  g_assert_cmpuint (count_role (&both->space, ROLE_CONE_UPPER), ==, 1);
-  g_assert_cmpuint (count_role (&ring->plane, ROLE_HORIZON)
-                        + count_role (&ring->plane, ROLE_HORIZON_UPPER),
+  g_assert_cmpuint (stage_count (&both->plane, ROLE_CONE), ==, 3);
+  g_assert_cmpuint (stage_count (&both->space, ROLE_CONE_UPPER), ==, 1);
+  g_assert_cmpuint (stage_count (&ring->plane, ROLE_HORIZON)
+                        + stage_count (&ring->plane, ROLE_HORIZON_UPPER),
                     ==, 4);
-  g_assert_cmpuint (count_role (&ring->plane, ROLE_HORIZON_UPPER), ==, 1);
+  g_assert_cmpuint (stage_count (&ring->plane, ROLE_HORIZON_UPPER), ==, 1);
 }
 
 static void
@@ -262,156 +150,6 @@ test_emphasis (void)
   stage_draw (stage);
   for (i = 0; i < stage->plane.n_items; i++)
     g_assert_cmpint (stage->plane.items[i].emphasis, !=, EMPHASIS_PALE);
-}
-
-/* A site takes the click on its mark, in both views. */
-static void
-test_pick_sites (void)
-{
-  g_autoptr (Stage) stage = stage_at_end ("lecture8");
-  uint32_t i;
-
-  for (i = 0; i < stage->frame.n_sites; i++) {
-    const Pixel plane
-        = pixel_of (&stage->on_plane,
-                    scene_point (&stage->look, site_of (stage, i), false));
-    const Pixel space = pixel_of (
-        &stage->on_space, scene_point (&stage->look, site_of (stage, i), true));
-    const Object on_plane
-        = scene_pick (&stage->plane, &stage->on_plane,
-                      (double[2]){ plane.x + 3, plane.y - 2 }, 8);
-    const Object on_space = scene_pick (&stage->space, &stage->on_space,
-                                        (double[2]){ space.x + 1, space.y }, 8);
-
-    g_assert_cmpint (on_plane.kind, ==, OBJECT_SITE);
-    g_assert_cmpuint (on_plane.number, ==, i);
-    g_assert_cmpint (on_space.kind, ==, OBJECT_SITE);
-    g_assert_cmpuint (on_space.number, ==, i);
-  }
-}
-
-static double
-squared (double x, double y)
-{
-  return x * x + y * y;
-}
-
-/* Without triangles, a click in the plane is in the cell of the nearest
- * site. */
-static void
-check_cells (const Fixture *fixture)
-{
-  Stage *stage = g_new0 (Stage, 1);
-  g_autoptr (GRand) rand = g_rand_new_with_seed (3);
-  int i;
-
-  stage->fixture = (Fixture *)fixture;
-  frame_init (&stage->frame, fixture->trace, fixture->trace->n_events);
-  scene_look_init (&stage->look, &stage->frame);
-  stage_project (stage, 500, 500);
-  stage->look.layers = LAYER_VORONOI;
-  scene_plane (&stage->plane, &stage->frame, &stage->look);
-  for (i = 0; i < 40; i++) {
-    const double at[2] = { g_rand_double_range (rand, 8, 492),
-                           g_rand_double_range (rand, 8, 492) };
-    const Object picked = scene_pick (&stage->plane, &stage->on_plane, at, 0);
-    const Point3 point = projection_unapply (&stage->on_plane, at[0], at[1]);
-    double least = INFINITY;
-    uint32_t k;
-
-    for (k = 0; k < stage->frame.n_sites; k++) {
-      const Point3 site = scene_point (&stage->look, site_of (stage, k), false);
-
-      least = fmin (least, squared (site.x - point.x, site.y - point.y));
-    }
-    if (picked.kind == OBJECT_SITE) {
-      const Point3 site
-          = scene_point (&stage->look, site_of (stage, picked.number), false);
-
-      if (squared (site.x - point.x, site.y - point.y) > least + 1e-6)
-        g_error ("%s: s%u is not nearest to %g, %g", fixture->name,
-                 picked.number, at[0], at[1]);
-    } else if (picked.kind != OBJECT_RIDGE && picked.kind != OBJECT_VERTEX) {
-      g_error ("%s: nothing at %g, %g", fixture->name, at[0], at[1]);
-    }
-  }
-  scene_clear (&stage->plane);
-  frame_clear (&stage->frame);
-  g_free (stage);
-}
-
-static void
-test_cells (void)
-{
-  fixture_for_each (3, 20, ORDER_FURTHEST, check_cells);
-}
-
-/* Where the line of sight through @corners' plane meets the pixel, or
- * infinity: smaller is nearer. By solving for barycentric coordinates in the
- * view. */
-static double
-depth_at (const Stage *stage, const SceneItem *item, Pixel at)
-{
-  const Point3 *points = &stage->space.points[item->first];
-  Point3 p[3];
-  double area, b[3];
-  int k;
-
-  for (k = 0; k < 3; k++)
-    p[k] = projection_apply (&stage->on_space, points[k]);
-  area = (p[1].x - p[0].x) * (p[2].y - p[0].y)
-         - (p[1].y - p[0].y) * (p[2].x - p[0].x);
-  for (k = 0; k < 3; k++) {
-    const Point3 q = p[(k + 1) % 3], r = p[(k + 2) % 3];
-
-    b[k] = ((r.x - q.x) * (at.y - q.y) - (r.y - q.y) * (at.x - q.x)) / area;
-    if (!(b[k] > 1e-6))
-      return INFINITY;
-  }
-  return b[0] * p[0].z + b[1] * p[1].z + b[2] * p[2].z;
-}
-
-/* The facet picked is the nearest to the eye of all that the line of sight
- * meets, whatever the camera. */
-static void
-test_pick_nearest (void)
-{
-  g_autoptr (Stage) stage = stage_at_end ("mixed8");
-  g_autoptr (GRand) rand = g_rand_new_with_seed (11);
-  int i, n_facets = 0;
-
-  stage->look.layers = LAYER_HULL;
-  stage_draw (stage);
-  for (i = 0; i < 300; i++) {
-    const double at[2] = { g_rand_double_range (rand, 100, 400),
-                           g_rand_double_range (rand, 100, 400) };
-    Camera camera;
-    Object picked;
-    double least = INFINITY, depth = INFINITY;
-    guint k;
-
-    camera_init (&camera, (CameraPreset)(i % N_CAMERA_PRESETS));
-    camera_roll (&camera, (double[2]){ 250, 250 }, at, (double[2]){ 500, 500 });
-    stage->on_space = camera_projection (&camera, 500, 500);
-    picked = scene_pick (&stage->space, &stage->on_space, at, 0);
-    for (k = 0; k < stage->space.n_items; k++) {
-      const SceneItem *item = &stage->space.items[k];
-      double here;
-
-      if (item->pass != PASS_HULL || item->shape != SHAPE_POLYGON)
-        continue;
-      here = depth_at (stage, item, (Pixel){ at[0], at[1] });
-      least = fmin (least, here);
-      if (object_equal (item->object, picked))
-        depth = here;
-    }
-    if (!isfinite (least))
-      continue;
-    n_facets++;
-    g_assert_cmpint (picked.kind, ==, OBJECT_FACET);
-    g_assert_cmpfloat (depth, <=, least + 1e-9);
-  }
-  g_assert_cmpint (n_facets, >, 60);
 }
 
 /* All points of a circle are equally far from its three sites' centre: from
@@ -444,7 +182,7 @@ test_circles (void)
     }
     for (k = 0; k < 3; k++)
       site[k]
-          = scene_point (&stage->look, site_of (stage, row->site[k]), false);
+          = scene_point (&stage->look, stage_site (stage, row->site[k]), false);
     for (k = 0; k < item->n; k++) {
       const Point3 at = stage->plane.points[item->first + k];
       const Point3 centre = scene_point (
@@ -459,77 +197,6 @@ test_circles (void)
   g_assert_cmpuint (n_circles, >=, 10);
 }
 
-/* Selecting a facet lights its triangle, circle and Voronoi vertex, and
- * nothing else; a site its lift and cell; a ridge its three edges. */
-static void
-test_counterparts (void)
-{
-  g_autoptr (Stage) stage = stage_at_end ("lecture8");
-  const uint32_t facet = stage->frame.delaunay.triangles[2].facet;
-  const Object object = { OBJECT_FACET, facet };
-  const uint32_t ridge = stage->frame.ridges[5].ridge;
-  guint i, n_ridges = 0;
-
-  stage->look.selection = object;
-  stage->look.hover = (Object){ OBJECT_SITE, 3 };
-  stage_draw (stage);
-  g_assert_cmpint (find_item (&stage->plane, ROLE_TRIANGLE, object)->lit, ==,
-                   LIT_SELECTED);
-  g_assert_cmpint (find_item (&stage->space, ROLE_LOWER, object)->lit, ==,
-                   LIT_SELECTED);
-  g_assert_cmpuint (count_role (&stage->plane, ROLE_CIRCLE_SELECTED), >=, 1);
-  g_assert_cmpuint (count_role (&stage->plane, ROLE_CIRCLE), ==, 0);
-  for (i = 0; i < stage->plane.n_items; i++) {
-    const SceneItem *item = &stage->plane.items[i];
-
-    if (item->object.kind == OBJECT_VERTEX && item->shape == SHAPE_MARK)
-      g_assert_cmpint (item->lit == LIT_SELECTED, ==,
-                       item->object.number == facet);
-    if (item->role == ROLE_CELL || item->role == ROLE_SITE)
-      g_assert_cmpint (item->lit == LIT_HOVER, ==, item->object.number == 3);
-  }
-  stage->look.selection = (Object){ OBJECT_RIDGE, ridge };
-  stage_draw (stage);
-  for (i = 0; i < stage->space.n_items; i++)
-    n_ridges += stage->space.items[i].lit == LIT_SELECTED;
-  g_assert_cmpuint (n_ridges, >=, 2);
-  g_assert_cmpuint (n_ridges, <=, 3);
-}
-
-/* A Delaunay edge and a Voronoi edge that are lit together are dual: they
- * stand at a right angle, and belong to the same two sites as the ridge. */
-static void
-test_dual_edges (void)
-{
-  g_autoptr (Stage) stage = stage_at_end ("mixed8");
-  guint i, n_pairs = 0;
-
-  for (i = 0; i < stage->plane.n_items; i++) {
-    const SceneItem *edge = &stage->plane.items[i];
-    const SceneItem *dual;
-    const RidgeRow *row;
-    Point3 a, b, c, d, tail;
-
-    if (edge->role != ROLE_DELAUNAY_EDGE)
-      continue;
-    dual = find_item (&stage->plane, ROLE_VORONOI_EDGE, edge->object);
-    row = &stage->fixture->trace->ridges[edge->object.number];
-    a = stage->plane.points[edge->first];
-    b = stage->plane.points[edge->first + 1];
-    tail = scene_point (&stage->look, site_of (stage, row->site[0]), false);
-    g_assert_true ((tail.x == a.x && tail.y == a.y)
-                   || (tail.x == b.x && tail.y == b.y));
-    if (dual == NULL)
-      continue;
-    n_pairs++;
-    c = stage->plane.points[dual->first];
-    d = stage->plane.points[dual->first + 1];
-    g_assert_cmpfloat (
-        fabs ((b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y)), <, 1e-9);
-  }
-  g_assert_cmpuint (n_pairs, >=, 8);
-}
-
 /* A vertical facet that is seen shows in the plane as its hull edge. */
 static void
 test_seen_edges (void)
@@ -538,7 +205,7 @@ test_seen_edges (void)
   g_autoptr (Stage) vertical = stage_new ("vertical5", 1, PHASE_SEE);
   guint i, n = 0;
 
-  g_assert_cmpuint (count_role (&stage->plane, ROLE_SEEN_EDGE), ==, 1);
+  g_assert_cmpuint (stage_count (&stage->plane, ROLE_SEEN_EDGE), ==, 1);
   for (i = 0; i < vertical->plane.n_items; i++) {
     const SceneItem *item = &vertical->plane.items[i];
     const Point3 *p = &vertical->plane.points[item->first];
@@ -559,16 +226,16 @@ test_flat (void)
   g_autoptr (Stage) square = stage_at_end ("square4");
   g_autoptr (Stage) start = stage_new ("lecture8", 0, PHASE_START);
 
-  g_assert_cmpuint (count_role (&square->plane, ROLE_TRIANGLE), ==, 2);
-  g_assert_cmpuint (count_role (&square->plane, ROLE_FREE_EDGE), ==, 1);
-  g_assert_cmpuint (count_role (&square->plane, ROLE_VORONOI_EDGE), ==, 4);
-  g_assert_cmpuint (count_role (&square->plane, ROLE_VORONOI_VERTEX_TIED), ==,
+  g_assert_cmpuint (stage_count (&square->plane, ROLE_TRIANGLE), ==, 2);
+  g_assert_cmpuint (stage_count (&square->plane, ROLE_FREE_EDGE), ==, 1);
+  g_assert_cmpuint (stage_count (&square->plane, ROLE_VORONOI_EDGE), ==, 4);
+  g_assert_cmpuint (stage_count (&square->plane, ROLE_VORONOI_VERTEX_TIED), ==,
                     1);
-  g_assert_cmpuint (count_role (&square->plane, ROLE_CELL), ==, 4);
-  g_assert_cmpuint (count_role (&square->space, ROLE_LOWER), ==, 2);
-  g_assert_cmpuint (count_role (&start->plane, ROLE_SITE_WAITING), ==, 8);
-  g_assert_cmpuint (count_role (&start->plane, ROLE_CELL), ==, 0);
-  g_assert_cmpuint (count_role (&start->space, ROLE_SITE_WAITING), ==, 8);
+  g_assert_cmpuint (stage_count (&square->plane, ROLE_CELL), ==, 4);
+  g_assert_cmpuint (stage_count (&square->space, ROLE_LOWER), ==, 2);
+  g_assert_cmpuint (stage_count (&start->plane, ROLE_SITE_WAITING), ==, 8);
+  g_assert_cmpuint (stage_count (&start->plane, ROLE_CELL), ==, 0);
+  g_assert_cmpuint (stage_count (&start->space, ROLE_SITE_WAITING), ==, 8);
 }
 
 /* The same set at another scale and place makes the same scenes. */
@@ -609,8 +276,8 @@ test_last_bits (void)
   const Order order = { ORDER_FURTHEST, 0 };
   g_autoptr (Stage) stage = stage_take (
       fixture_take (g_strdup ("bits"), site_set_new (sites, 3), &order), 2);
-  const Point3 a = scene_point (&stage->look, site_of (stage, 1), false);
-  const Point3 b = scene_point (&stage->look, site_of (stage, 2), false);
+  const Point3 a = scene_point (&stage->look, stage_site (stage, 1), false);
+  const Point3 b = scene_point (&stage->look, stage_site (stage, 2), false);
   guint i = 0;
 
   while (i < stage->plane.n_items
@@ -635,7 +302,7 @@ highest_tangent (const Stage *stage, Point3 at)
   uint32_t i;
 
   for (i = 0; i < stage->frame.n_sites; i++) {
-    const Point3 p = scene_point (&stage->look, site_of (stage, i), true);
+    const Point3 p = scene_point (&stage->look, stage_site (stage, i), true);
 
     highest
         = fmax (highest, p.z + 2 * p.x * (at.x - p.x) + 2 * p.y * (at.y - p.y));
@@ -667,7 +334,7 @@ test_tangents (void)
     }
   }
   g_assert_cmpuint (n_cells, ==, 8);
-  g_assert_cmpuint (count_role (&stage->plane, ROLE_TANGENT), ==, 8);
+  g_assert_cmpuint (stage_count (&stage->plane, ROLE_TANGENT), ==, 8);
 }
 
 /* Halfway up, a lift is halfway; at 0 lower facets lie on their triangles and
@@ -679,11 +346,11 @@ test_lift (void)
   guint i, k;
 
   for (i = 0; i < stage->frame.n_sites; i++) {
-    const Point3 up = scene_point (&stage->look, site_of (stage, i), true);
+    const Point3 up = scene_point (&stage->look, stage_site (stage, i), true);
     SceneLook half = stage->look;
 
     half.lift = 0.5;
-    g_assert_cmpfloat (scene_point (&half, site_of (stage, i), true).z, ==,
+    g_assert_cmpfloat (scene_point (&half, stage_site (stage, i), true).z, ==,
                        up.z / 2);
   }
   stage->look.lift = 0;
@@ -698,40 +365,6 @@ test_lift (void)
     g_assert_cmpfloat (item->fade, ==, 0);
     for (k = 0; k < item->n; k++)
       g_assert_cmpfloat (stage->space.points[item->first + k].z, ==, 0);
-  }
-}
-
-/* What is transparent is there for no one: not for the pointer either. */
-static void
-test_opacity (void)
-{
-  g_autoptr (Stage) stage = stage_at_end ("lecture8");
-  const Pixel middle = pixel_of (&stage->on_space, (Point3){ 0.1, 0, 1.2 });
-  const double at[2] = { middle.x, middle.y };
-  Role role;
-
-  stage->look.layers = LAYER_HULL;
-  stage_draw (stage);
-  g_assert_cmpint (scene_pick (&stage->space, &stage->on_space, at, 0).kind, ==,
-                   OBJECT_FACET);
-  stage->look.body_fade[BODY_HULL] = 1;
-  stage_draw (stage);
-  g_assert_cmpint (scene_pick (&stage->space, &stage->on_space, at, 0).kind, ==,
-                   OBJECT_NONE);
-  stage->look.body_fade[BODY_HULL] = 0.5;
-  stage->look.role_fade[ROLE_LOWER] = 0.5;
-  stage_draw (stage);
-  g_assert_cmpfloat (
-      find_item (
-          &stage->space, ROLE_LOWER,
-          (Object){ OBJECT_FACET, stage->frame.delaunay.triangles[0].facet })
-          ->fade,
-      ==, 0.75);
-  for (role = 0; role < N_ROLES; role++) {
-    Role again;
-
-    g_assert_true (role_parse (role_name (role), &again));
-    g_assert_cmpint (again, ==, role);
   }
 }
 
@@ -798,10 +431,6 @@ main (int argc, char **argv)
   g_test_add_func ("/scene/the-active-set-is-loud-and-the-rest-pale",
                    test_emphasis);
   g_test_add_func ("/scene/a-circle-keeps-its-distance", test_circles);
-  g_test_add_func ("/scene/a-cell-holds-what-is-nearest-to-its-site",
-                   test_cells);
-  g_test_add_func ("/scene/counterparts-are-lit-together", test_counterparts);
-  g_test_add_func ("/scene/dual-edges-have-one-name", test_dual_edges);
   g_test_add_func ("/scene/a-vertical-facet-that-is-seen-is-a-hull-edge",
                    test_seen_edges);
   g_test_add_func ("/scene/flat-input-has-pictures", test_flat);
@@ -810,11 +439,7 @@ main (int argc, char **argv)
   g_test_add_func ("/scene/tangent-planes-are-seen-where-they-are-highest",
                    test_tangents);
   g_test_add_func ("/scene/lifts-glide-down-to-the-triangulation", test_lift);
-  g_test_add_func ("/scene/what-is-transparent-cannot-be-picked", test_opacity);
   g_test_add_func ("/scene/what-is-new-grows-and-what-stood-stays",
                    test_moving);
-  g_test_add_func ("/pick/a-site-takes-the-click-on-its-mark", test_pick_sites);
-  g_test_add_func ("/pick/a-facet-is-the-nearest-to-the-eye",
-                   test_pick_nearest);
   return g_test_run ();
 }
