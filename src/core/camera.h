@@ -94,6 +94,8 @@ void camera_roll (Camera *camera,
                   const double to_px[2],
                   const double size_px[2]);
 
+bool projection_equal (const Projection *a, const Projection *b);
+
 Projection
 camera_projection (const Camera *camera, double width, double height);
 Projection plane_camera_projection (const PlaneCamera *camera,

@@ -2,6 +2,19 @@
 
 #include <math.h>
 
+bool
+projection_equal (const Projection *a, const Projection *b)
+{
+  int i;
+
+  for (i = 0; i < 16; i++)
+    if (a->matrix[i] != b->matrix[i])
+      return false;
+  return a->eye.x == b->eye.x && a->eye.y == b->eye.y && a->eye.z == b->eye.z
+         && a->is_parallel == b->is_parallel && a->width == b->width
+         && a->height == b->height;
+}
+
 void
 projection_clip_coordinates (const Projection *projection,
                              Point3 point,

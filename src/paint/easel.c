@@ -4,7 +4,6 @@
 #include "raster.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 struct Easel {
   Names *names;
@@ -54,8 +53,8 @@ is_same_sheet (const Easel *easel,
                double scale)
 {
   return easel->raster != NULL && easel->scale == scale
-         && memcmp (&easel->projection, projection, sizeof *projection) == 0
-         && memcmp (&easel->theme, theme, sizeof *theme) == 0;
+         && projection_equal (&easel->projection, projection)
+         && theme_equal (&easel->theme, theme);
 }
 
 static void

@@ -79,6 +79,9 @@ const Theme *theme_get (ThemeKind kind);
 /* A theme in the sizes that a person wants. */
 void theme_init (Theme *theme, const Appearance *appearance);
 
+/* Returns: whether all looks the same in both. */
+bool theme_equal (const Theme *a, const Theme *b);
+
 /* The style of @item: its role's, made pale or loud, lit or not. Cells take
  * a pale hue of their own, which stays with their site: neighbours in number
  * are a golden angle apart. */
