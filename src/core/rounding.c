@@ -67,8 +67,8 @@ bool
 sign_map_init (SignMap *map, const Site *p, const Site *q, const Site *r)
 {
   const double step = last_place (p, q);
-  const Site corner
-      = { p->x - SIGN_MAP_SIDE / 2 * step, p->y - SIGN_MAP_SIDE / 2 * step };
+  const Site corner = { p->x - SIGN_MAP_SIDE / 2.0 * step,
+                        p->y - SIGN_MAP_SIDE / 2.0 * step };
 
   memset (map, 0, sizeof *map);
   map->corner = corner;
