@@ -32,16 +32,16 @@ const LookCase look_cases[] = {
   { .name = prefix "-see",                                                     \
     .sites = "lecture8",                                                       \
     .place = { 4, PHASE_SEE },                                                 \
-    .theme = kind },                                                           \
+    .theme = (kind) },                                                         \
       { .name = prefix "-selected",                                            \
         .sites = "lecture8",                                                   \
         .place = { 0, PHASE_COMPLETE },                                        \
         .layers = LAYER_CIRCLES,                                               \
         .selection = { OBJECT_FACET, 17 },                                     \
-        .theme = kind },                                                       \
+        .theme = (kind) },                                                     \
   {                                                                            \
     .name = prefix "-cone", .sites = "mixed8", .place = { 4, PHASE_CONE },     \
-    .theme = kind                                                              \
+    .theme = (kind)                                                            \
   }
   THEME_CASES ("paper", THEME_PAPER),
   THEME_CASES ("projector", THEME_PROJECTOR),

@@ -252,7 +252,7 @@ test_themes (void)
 
   for (theme = 0; theme < N_THEMES; theme++) {
     scale = scales[theme % G_N_ELEMENTS (scales)];
-    is_transparent = theme % 2;
+    is_transparent = theme % 2 == 1;
     check_both_svg (fixture);
   }
   theme = THEME_LIGHT;

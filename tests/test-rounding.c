@@ -91,10 +91,10 @@ test_figure_2a_is_wrong_on_both_sides_of_the_line (void)
   init_figure (map);
   for (guint row = 0; row < SIGN_MAP_SIDE; row++)
     for (guint column = 0; column < SIGN_MAP_SIDE; column++) {
-      const int rounded = map->rounded[row][column];
-      const int exact = map->exact[row][column];
+      const signed char rounded = map->rounded[row][column];
+      const signed char exact = map->exact[row][column];
 
-      g_assert_cmpint (exact, ==, (row > column) - (row < column));
+      g_assert_true (exact == (row > column) - (row < column));
       n_wrong += rounded != exact;
       n_left_as_right += rounded * exact < 0;
       n_as_line += rounded == 0 && exact != 0;

@@ -112,8 +112,10 @@ static gboolean
 is_rule (const char *line, gsize length)
 {
   const gsize blanks = count_blanks (line, length);
-  const char mark = blanks < length ? line[blanks] : ' ';
+  char mark = ' ';
 
+  if (blanks < length)
+    mark = line[blanks];
   for (gsize i = blanks; i < length; i++)
     if (line[i] != mark && line[i] != ' ' && line[i] != '\t')
       return FALSE;

@@ -77,7 +77,8 @@ static gboolean
 is_headings (const char *line)
 {
   const char *separators = strpbrk (line, ",;\t");
-  const char separator[] = { separators != NULL ? *separators : ' ', '\0' };
+  g_autofree char *separator
+      = g_strndup (separators != NULL ? separators : " ", 1);
   g_auto (GStrv) fields = g_strsplit (line, separator, -1);
 
   return g_strv_length (fields) == 2 && is_heading (fields[0])

@@ -2,10 +2,10 @@
  * speaks Arabic: GTK_MODULES=…/mirror.so PROGRAM */
 #include <gtk/gtk.h>
 
-void gtk_module_init (int *argc, char ***argv);
+void gtk_module_init (const int *argc, char ***argv);
 
 void
-gtk_module_init (int *argc, char ***argv)
+gtk_module_init (const int *argc, char ***argv)
 {
   (void)argc;
   (void)argv;

@@ -150,6 +150,7 @@ measure (const char *what,
          Views *views)
 {
   g_autofree gint64 *times = g_new (gint64, n_frames);
+  const guint middle = n_frames / 2;
   double median, slowest;
 
   for (guint i = 0; i < n_frames + 2; i++) {
@@ -160,8 +161,8 @@ measure (const char *what,
       times[i - 2] = g_get_monotonic_time () - start;
   }
   qsort (times, n_frames, sizeof *times, compare_times);
-  median = times[n_frames / 2] / 1000.0;
-  slowest = times[n_frames - 1] / 1000.0;
+  median = (double)times[middle] / 1000;
+  slowest = (double)times[n_frames - 1] / 1000;
   if (target_ms > 0) {
     printf ("%-58s %6.0f %8.2f %8.2f  %s\n", what, target_ms, median, slowest,
             median <= target_ms ? "" : "late");
