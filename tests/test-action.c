@@ -317,22 +317,6 @@ test_only_what_exists_is_selected (void)
 }
 
 static void
-test_the_selection_walks_round_the_sites (void)
-{
-  g_autoptr (Session) session = new_lecture8 ();
-
-  run (session, "select-previous", NULL);
-  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 7);
-  run (session, "select-next", NULL);
-  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 0);
-  run (session, "select-none", NULL);
-  run (session, "select-next", NULL);
-  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 0);
-  run (session, "new", NULL);
-  refuse (session, "select-next", NULL, ACTION_ERROR_DISABLED);
-}
-
-static void
 assert_site (Session *session, guint site, double x, double y)
 {
   const Site found = site_set_given (session_get_set (session), site);
@@ -496,8 +480,6 @@ static const struct {
   { "/action/rounds-and-phases-step-to-their-ends",
     test_rounds_and_phases_step_to_their_ends },
   { "/action/only-what-exists-is-selected", test_only_what_exists_is_selected },
-  { "/action/the-selection-walks-round-the-sites",
-    test_the_selection_walks_round_the_sites },
   { "/action/nudging-moves-by-one-grid-step",
     test_nudging_moves_by_one_grid_step },
   { "/action/sites-are-edited-by-number", test_sites_are_edited_by_number },

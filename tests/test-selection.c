@@ -1,4 +1,4 @@
-#include "session.h"
+#include "action.h"
 
 #include <string.h>
 
@@ -159,6 +159,59 @@ test_undoing_a_replacement_fits_the_views (void)
   g_assert_cmpfloat (session_get_look (session)->extent.radius, >, 1e3);
 }
 
+static void
+test_removing_a_site_renames_the_selection (void)
+{
+  g_autoptr (Session) session = new_session ();
+
+  session_set_selection (session, (Object){ OBJECT_SITE, 4 });
+  session_remove_site (session, 2, NULL);
+  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 3);
+  session_remove_site (session, 3, NULL);
+  g_assert_cmpuint (session_get_look (session)->selection.kind, ==,
+                    OBJECT_NONE);
+}
+
+static void
+test_facets_are_not_selected_through_an_edit (void)
+{
+  g_autoptr (Session) session = new_session ();
+  const Frame *frame = session_get_frame (session);
+  const guint32 facet = frame->delaunay.triangles[0].facet;
+
+  session_set_selection (session, (Object){ OBJECT_FACET, facet });
+  session_move_site (session, 2, (Site){ 0.125, 0.875 }, NULL);
+  g_assert_cmpuint (session_get_look (session)->selection.kind, ==,
+                    OBJECT_NONE);
+}
+
+static void
+run (Session *session, const char *name)
+{
+  g_autoptr (GError) error = NULL;
+
+  g_assert_true (action_run (session, name, NULL, &error));
+  g_assert_no_error (error);
+}
+
+static void
+test_the_selection_walks_round_the_sites (void)
+{
+  g_autoptr (Session) session = new_session ();
+  g_autoptr (GError) error = NULL;
+
+  run (session, "select-previous");
+  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 4);
+  run (session, "select-next");
+  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 0);
+  run (session, "select-none");
+  run (session, "select-next");
+  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 0);
+  run (session, "new");
+  g_assert_false (action_run (session, "select-next", NULL, &error));
+  g_assert_error (error, ACTION_ERROR, ACTION_ERROR_DISABLED);
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -175,6 +228,12 @@ static const struct {
     test_undoing_a_replacement_fits_the_views },
   { "/selection/without-the-grid-points-stay-where-they-are",
     test_without_the_grid_points_stay_where_they_are },
+  { "/selection/removing-a-site-renames-the-selection",
+    test_removing_a_site_renames_the_selection },
+  { "/selection/facets-are-not-selected-through-an-edit",
+    test_facets_are_not_selected_through_an_edit },
+  { "/selection/the-selection-walks-round-the-sites",
+    test_the_selection_walks_round_the_sites },
 };
 
 int

@@ -335,30 +335,6 @@ test_no_change_is_not_told (void)
   g_assert_cmpuint (told[0], ==, 0);
 }
 
-static void
-test_removing_a_site_renames_the_selection (void)
-{
-  g_autoptr (Session) session = new_lecture8 ();
-
-  session_set_selection (session, (Object){ OBJECT_SITE, 5 });
-  session_remove_site (session, 2, NULL);
-  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 4);
-  session_remove_site (session, 4, NULL);
-  g_assert_cmpuint (session_get_look (session)->selection.kind, ==,
-                    OBJECT_NONE);
-}
-
-static void
-test_facets_are_not_selected_through_an_edit (void)
-{
-  g_autoptr (Session) session = new_lecture8 ();
-
-  session_set_selection (session, (Object){ OBJECT_FACET, 5 });
-  session_move_site (session, 2, (Site){ 0.75, 0.75 }, NULL);
-  g_assert_cmpuint (session_get_look (session)->selection.kind, ==,
-                    OBJECT_NONE);
-}
-
 static guint
 count_steps (Session *session, StepSize size)
 {
@@ -495,10 +471,6 @@ static const struct {
     test_the_snap_grid_follows_extent_and_zoom },
   { "/session/one-edit-is-told-once", test_one_edit_is_told_once },
   { "/session/no-change-is-not-told", test_no_change_is_not_told },
-  { "/session/removing-a-site-renames-the-selection",
-    test_removing_a_site_renames_the_selection },
-  { "/session/facets-are-not-selected-through-an-edit",
-    test_facets_are_not_selected_through_an_edit },
   { "/session/next-goes-by-the-step-size", test_next_goes_by_the_step_size },
   { "/session/frames-are-equal-forwards-and-backwards",
     test_frames_are_equal_forwards_and_backwards },
