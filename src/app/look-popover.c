@@ -150,20 +150,48 @@ grid_new (Session *session)
   return grid;
 }
 
+static void
+on_closed (GtkPopover *popover, GtkToggleButton *button)
+{
+  if (!gtk_widget_in_destruction (GTK_WIDGET (popover)))
+    gtk_toggle_button_set_active (button, FALSE);
+}
+
+/* The sliders are made when they are wanted for the first time: what assistive
+ * technology has never seen it does not ask for after its end. */
+static void
+on_toggled (GtkToggleButton *button, Session *session)
+{
+  GtkPopover *popover = g_object_get_data (G_OBJECT (button), "popover");
+
+  if (!gtk_toggle_button_get_active (button)) {
+    if (popover != NULL)
+      gtk_popover_popdown (popover);
+    return;
+  }
+  if (popover == NULL) {
+    popover = GTK_POPOVER (gtk_popover_new (GTK_WIDGET (button)));
+    gtk_container_add (GTK_CONTAINER (popover), grid_new (session));
+    g_signal_connect_object (popover, "closed", G_CALLBACK (on_closed), button,
+                             0);
+    g_object_set_data (G_OBJECT (button), "popover", popover);
+  }
+  gtk_popover_popup (popover);
+}
+
 GtkWidget *
 look_popover_button_new (Session *session)
 {
-  GtkWidget *button = gtk_menu_button_new ();
-  GtkWidget *popover = gtk_popover_new (button);
+  GtkWidget *button = gtk_toggle_button_new ();
 
-  gtk_container_add (GTK_CONTAINER (popover), grid_new (session));
-  gtk_menu_button_set_popover (GTK_MENU_BUTTON (button), popover);
   gtk_container_add (GTK_CONTAINER (button),
                      gtk_image_new_from_icon_name ("hull2vd-sliders-symbolic",
                                                    GTK_ICON_SIZE_BUTTON));
   gtk_widget_set_tooltip_text (button, _ ("Lift, height and transparency"));
   atk_object_set_name (gtk_widget_get_accessible (button),
                        _ ("Lift, height and transparency"));
+  g_signal_connect_object (button, "toggled", G_CALLBACK (on_toggled), session,
+                           0);
   gtk_widget_set_focus_on_click (button, FALSE);
   gtk_widget_set_valign (button, GTK_ALIGN_CENTER);
   gtk_style_context_add_class (gtk_widget_get_style_context (button), "flat");
