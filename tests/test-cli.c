@@ -1,78 +1,9 @@
-/* Drives the built hull2vd-cli as scripts do. */
-#include <gio/gio.h>
+/* What hull2vd-cli prints and how it ends. */
+#include "script.h"
+
 #include <glib/gstdio.h>
 #include <json-glib/json-glib.h>
 #include <string.h>
-
-/* What a run of the program left behind. */
-typedef struct Result {
-  int status;
-  char *out, *err;
-} Result;
-
-static void
-result_clear (Result *result)
-{
-  g_free (result->out);
-  g_free (result->err);
-}
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Result, result_clear)
-
-static char *folder; /* the tests run in it */
-
-static void
-run_in (const char *locale, const char *input, Result *result, const char *line)
-{
-  g_autoptr (GSubprocessLauncher) launcher = g_subprocess_launcher_new (
-      G_SUBPROCESS_FLAGS_STDIN_PIPE | G_SUBPROCESS_FLAGS_STDOUT_PIPE
-      | G_SUBPROCESS_FLAGS_STDERR_PIPE);
-  g_autoptr (GSubprocess) process = NULL;
-  g_autoptr (GError) error = NULL;
-  g_autofree char *command = g_strdup_printf ("\"$HULL2VD_CLI\" %s", line);
-  const char *const argv[] = { "sh", "-c", command, NULL };
-
-  g_subprocess_launcher_setenv (launcher, "LC_ALL", locale, TRUE);
-  g_subprocess_launcher_set_cwd (launcher, folder);
-  process = g_subprocess_launcher_spawnv (launcher, argv, &error);
-  g_assert_no_error (error);
-  g_subprocess_communicate_utf8 (process, input, NULL, &result->out,
-                                 &result->err, &error);
-  g_assert_no_error (error);
-  g_assert_true (g_subprocess_get_if_exited (process));
-  result->status = g_subprocess_get_exit_status (process);
-}
-
-static void
-run (Result *result, const char *line)
-{
-  run_in ("C", NULL, result, line);
-}
-
-static void
-put (const char *name, const char *text)
-{
-  g_autofree char *path = g_build_filename (folder, name, NULL);
-
-  g_assert_true (g_file_set_contents (path, text, -1, NULL));
-}
-
-static gboolean
-exists (const char *name)
-{
-  g_autofree char *path = g_build_filename (folder, name, NULL);
-
-  return g_file_test (path, G_FILE_TEST_EXISTS);
-}
-
-static char *
-get (const char *name)
-{
-  g_autofree char *path = g_build_filename (folder, name, NULL);
-  char *text = NULL;
-
-  g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
-  return text;
-}
 
 /* A line of arguments, and what it must lead to. Nothing is on stdout when
  * the status is not 0. */
@@ -152,9 +83,9 @@ test_each_failure_has_its_status_and_message (void)
 {
   for (guint i = 0; i < G_N_ELEMENTS (refusals); i++) {
     const Row *row = &refusals[i];
-    g_auto (Result) result = { 0 };
+    g_auto (ScriptResult) result = { 0 };
 
-    run_in ("C.UTF-8", NULL, &result, row->line);
+    script_run_in ("C.UTF-8", NULL, &result, row->line);
     if (result.status != row->status || *result.out != '\0'
         || !g_str_has_prefix (result.err, row->err)) {
       g_test_message ("%s: status %d, %s", row->line, result.status,
@@ -162,16 +93,16 @@ test_each_failure_has_its_status_and_message (void)
       g_test_fail ();
     }
   }
-  g_assert_false (exists ("a.svg"));
-  g_assert_false (exists ("a.pdf"));
+  g_assert_false (script_exists ("a.svg"));
+  g_assert_false (script_exists ("a.pdf"));
 }
 
 static JsonObject *
 compute (JsonParser *parser, const char *line)
 {
-  g_auto (Result) result = { 0 };
+  g_auto (ScriptResult) result = { 0 };
 
-  run (&result, line);
+  script_run (&result, line);
   g_assert_cmpint (result.status, ==, 0);
   g_assert_cmpstr (result.err, ==, "");
   g_assert_true (json_parser_load_from_data (parser, result.out, -1, NULL));
@@ -225,13 +156,13 @@ test_every_order_gives_the_same_triangles (void)
 static void
 test_dash_is_the_standard_input (void)
 {
-  g_auto (Result) piped = { 0 }, read = { 0 }, refused = { 0 };
-  g_autofree char *text = get ("five.txt");
+  g_auto (ScriptResult) piped = { 0 }, read = { 0 }, refused = { 0 };
+  g_autofree char *text = script_get ("five.txt");
 
-  run_in ("C", text, &piped, "compute -");
-  run (&read, "compute five.txt");
+  script_run_in ("C", text, &piped, "compute -");
+  script_run (&read, "compute five.txt");
   g_assert_cmpstr (piped.out, ==, read.out);
-  run_in ("C", "0 0\n0 x\n", &refused, "compute -");
+  script_run_in ("C", "0 0\n0 x\n", &refused, "compute -");
   g_assert_cmpint (refused.status, ==, 1);
   g_assert_true (g_str_has_prefix (refused.err, "-:2: "));
 }
@@ -239,16 +170,16 @@ test_dash_is_the_standard_input (void)
 static void
 test_outputs_are_whole_or_not_at_all (void)
 {
-  g_auto (Result) good = { 0 }, bad = { 0 };
+  g_auto (ScriptResult) good = { 0 }, bad = { 0 };
   g_autofree char *first = NULL, *second = NULL;
 
-  run (&good, "compute -o out.json five.txt");
+  script_run (&good, "compute -o out.json five.txt");
   g_assert_cmpint (good.status, ==, 0);
   g_assert_cmpstr (good.out, ==, "");
-  first = get ("out.json");
-  run (&bad, "compute -o out.json bad.txt");
+  first = script_get ("out.json");
+  script_run (&bad, "compute -o out.json bad.txt");
   g_assert_cmpint (bad.status, ==, 1);
-  second = get ("out.json");
+  second = script_get ("out.json");
   g_assert_cmpstr (first, ==, second);
 }
 
@@ -261,10 +192,10 @@ test_trace_tells_events_phases_or_rounds (void)
   static const guint n_lines[] = { 27, 27, 16, 12 };
 
   for (guint i = 0; i < G_N_ELEMENTS (lines); i++) {
-    g_auto (Result) result = { 0 };
+    g_auto (ScriptResult) result = { 0 };
     g_auto (GStrv) split = NULL;
 
-    run (&result, lines[i]);
+    script_run (&result, lines[i]);
     g_assert_cmpint (result.status, ==, 0);
     split = g_strsplit (result.out, "\n", -1);
     g_assert_cmpstr (split[0], ==, "hull2vd-trace 1");
@@ -275,15 +206,15 @@ test_trace_tells_events_phases_or_rounds (void)
 static void
 test_replay_names_lesson_stop_and_text (void)
 {
-  g_auto (Result) good = { 0 }, failing = { 0 };
+  g_auto (ScriptResult) good = { 0 }, failing = { 0 };
 
-  run (&good, "replay good.md");
+  script_run (&good, "replay good.md");
   g_assert_cmpint (good.status, ==, 0);
   g_assert_cmpstr (good.out, ==,
                    "ok 1 - Good: See: expect visible 2\n"
                    "ok 2 - Good: End: expect facets 6\n"
                    "1..2\n");
-  run (&failing, "replay good.md failing.md");
+  script_run (&failing, "replay good.md failing.md");
   g_assert_cmpint (failing.status, ==, 1);
   g_assert_cmpstr (failing.err, ==, "");
   g_assert_cmpstr (failing.out, ==,
@@ -303,10 +234,10 @@ test_results_do_not_depend_on_the_locale (void)
           "export --stop 1 -o q.svg good.md && cat q.svg" };
 
   for (guint i = 0; i < G_N_ELEMENTS (lines); i++) {
-    g_auto (Result) in_c = { 0 }, in_german = { 0 };
+    g_auto (ScriptResult) in_c = { 0 }, in_german = { 0 };
 
-    run_in ("C", NULL, &in_c, lines[i]);
-    run_in ("de_DE.UTF-8", NULL, &in_german, lines[i]);
+    script_run_in ("C", NULL, &in_c, lines[i]);
+    script_run_in ("de_DE.UTF-8", NULL, &in_german, lines[i]);
     g_assert_cmpint (in_c.status, ==, 0);
     g_assert_cmpuint (strlen (in_c.out), >, 10);
     g_assert_cmpstr (in_c.out, ==, in_german.out);
@@ -314,95 +245,11 @@ test_results_do_not_depend_on_the_locale (void)
 }
 
 static void
-test_pictures_are_of_the_kind_of_their_name (void)
-{
-  static const struct {
-    const char *line, *name, *magic;
-  } rows[] = {
-    { "export -o p.svg five.txt", "p.svg", "<?xml" },
-    { "export --view plane -o p.pdf five.txt", "p.pdf", "%PDF-" },
-    { "export --view space -o p.png five.txt", "p.png", "\x89PNG" },
-    { "export --event 3 -o e.svg five.txt", "e.svg", "<?xml" },
-    { "export --round 0 -o r.svg five.txt", "r.svg", "<?xml" },
-    { "export --stop 2 -o s.svg good.md", "s.svg", "<?xml" },
-    { "export -o l.svg good.md", "l.svg", "<?xml" },
-    { "export --size 320x200 -o t.svg square.txt", "t.svg", "<?xml" },
-    { "storyboard -o b.pdf good.md", "b.pdf", "%PDF-" },
-  };
-
-  for (guint i = 0; i < G_N_ELEMENTS (rows); i++) {
-    g_auto (Result) result = { 0 };
-    g_autofree char *bytes = NULL;
-
-    run (&result, rows[i].line);
-    g_assert_cmpstr (result.err, ==, "");
-    g_assert_cmpint (result.status, ==, 0);
-    bytes = get (rows[i].name);
-    g_assert_true (g_str_has_prefix (bytes, rows[i].magic));
-  }
-}
-
-/* Each option shows: no two of these pictures are alike. */
-static void
-test_the_look_of_a_picture_matters (void)
-{
-  static const char *const options[] = { "",
-                                         "--theme paper",
-                                         "--theme projector",
-                                         "--theme dark",
-                                         "--theme print",
-                                         "--theme contrast",
-                                         "--line-scale 2",
-                                         "--mark-scale 2",
-                                         "--text-scale 2",
-                                         "--layers hull",
-                                         "--layers -hull",
-                                         "--layers +circumcircles,-lifts",
-                                         "--camera look-up",
-                                         "--camera 40,10",
-                                         "--camera 40,10,1.5",
-                                         "--scale 2",
-                                         "--transparent" };
-  g_autoptr (GHashTable) seen
-      = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
-
-  for (guint i = 0; i < G_N_ELEMENTS (options); i++) {
-    g_auto (Result) result = { 0 };
-    g_autofree char *line = g_strdup_printf (
-        "export --round 0 %s -o m.svg five.txt && cat m.svg", options[i]);
-
-    run (&result, line);
-    g_assert_cmpint (result.status, ==, 0);
-    if (!g_hash_table_add (seen, g_steal_pointer (&result.out)))
-      g_error ("%s: changes nothing", options[i]);
-  }
-}
-
-static void
-test_the_moment_of_a_picture_matters (void)
-{
-  static const char *const lines[]
-      = { "export --event 3 -o m.svg five.txt && cat m.svg",
-          "export --round 0 -o m.svg five.txt && cat m.svg",
-          "export -o m.svg five.txt && cat m.svg",
-          "export --stop 1 -o m.svg good.md && cat m.svg" };
-  g_autoptr (GHashTable) seen
-      = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
-
-  for (guint i = 0; i < G_N_ELEMENTS (lines); i++) {
-    g_auto (Result) result = { 0 };
-
-    run (&result, lines[i]);
-    g_assert_true (g_hash_table_add (seen, g_steal_pointer (&result.out)));
-  }
-}
-
-static void
 test_actions_are_listed_in_columns (void)
 {
-  g_auto (Result) result = { 0 };
+  g_auto (ScriptResult) result = { 0 };
 
-  run (&result, "actions");
+  script_run (&result, "actions");
   g_assert_cmpint (result.status, ==, 0);
   g_assert_nonnull (strstr (result.out, "goto\ts\t-\tlesson,window\t"));
   g_assert_nonnull (strstr (result.out, "n-sites\t-\tu\twindow\t"));
@@ -422,9 +269,9 @@ test_help_and_version_are_no_failures (void)
   };
 
   for (guint i = 0; i < G_N_ELEMENTS (rows); i++) {
-    g_auto (Result) result = { 0 };
+    g_auto (ScriptResult) result = { 0 };
 
-    run (&result, rows[i].line);
+    script_run (&result, rows[i].line);
     g_assert_cmpint (result.status, ==, 0);
     g_assert_cmpstr (result.err, ==, "");
     g_assert_true (g_str_has_prefix (result.out, rows[i].out));
@@ -434,9 +281,9 @@ test_help_and_version_are_no_failures (void)
 static void
 test_messages_are_one_line_without_control_bytes (void)
 {
-  g_auto (Result) result = { 0 };
+  g_auto (ScriptResult) result = { 0 };
 
-  run (&result, "compute \"$(printf 'no\\n\\033[2Jfile')\"");
+  script_run (&result, "compute \"$(printf 'no\\n\\033[2Jfile')\"");
   g_assert_cmpint (result.status, ==, 66);
   g_assert_null (strchr (result.err, '\x1B'));
   g_assert_true (strchr (result.err, '\n')
@@ -446,50 +293,13 @@ test_messages_are_one_line_without_control_bytes (void)
 static void
 test_no_window_system_is_linked (void)
 {
-  g_auto (Result) result = { 0 };
+  g_auto (ScriptResult) result = { 0 };
 
-  run (&result, "--version >/dev/null; ldd \"$HULL2VD_CLI\"");
+  script_run (&result, "--version >/dev/null; ldd \"$HULL2VD_CLI\"");
   g_assert_cmpint (result.status, ==, 0);
   g_assert_nonnull (strstr (result.out, "libglib-2.0"));
   g_assert_null (strstr (result.out, "libgtk"));
   g_assert_null (strstr (result.out, "libgdk"));
-}
-
-#define LESSON(title, steps)                                                   \
-  "# " title "\n\n```lesson\nformat 1\nsites -1 -0.5; 1 -0.8125; "             \
-  "0.75 0.8125; -0.9375 0.5625; 0.1875 -0.1875\n```\n\n## See\n\n"             \
-  "```steps\n" steps "```\n"
-
-static void
-put_files (void)
-{
-  put ("five.txt",
-       "-1 -0.5\n1 -0.8125\n0.75 0.8125\n-0.9375 0.5625\n0.1875 -0.1875\n");
-  put ("bad.txt", "0 0\n1 one\n");
-  put ("square.txt", "0 0\n1 0\n1 1\n0 1\n");
-  put ("good.md", LESSON ("Good", "goto round 1 see\nexpect visible 2\n") //
-       "\n## End\n\n```steps\ngoto complete\nexpect facets 6\n```\n");
-  put ("failing.md",
-       LESSON ("Failing", "goto round 1 see\nexpect visible 3\n"));
-  put ("broken.md", LESSON ("Broken", "gotto round 1 see\n"));
-  put ("far.md", LESSON ("Far", "goto round 7 see\n"));
-}
-
-/* The third site to be inserted differs, so the pictures do. */
-static void
-test_export_follows_the_order (void)
-{
-  g_auto (Result) furthest = { 0 }, input = { 0 };
-  g_autofree char *first = NULL, *second = NULL;
-
-  put ("wheel.txt", "13 2\n7 12\n-4 13\n-13 4\n-10 -9\n1 -14\n11 -9\n0 0\n");
-  run (&furthest, "export --round 1 -o furthest.svg wheel.txt");
-  run (&input, "export --round 1 --order input -o input.svg wheel.txt");
-  g_assert_cmpint (furthest.status, ==, 0);
-  g_assert_cmpint (input.status, ==, 0);
-  first = get ("furthest.svg");
-  second = get ("input.svg");
-  g_assert_cmpstr (first, !=, second);
 }
 
 /* 300 sites that are nowhere near a tie. */
@@ -503,21 +313,21 @@ put_scattered (const char *name)
     g_string_append_printf (text, "%d %d\n",
                             g_rand_int_range (random, 0, 1 << 24),
                             g_rand_int_range (random, 0, 1 << 24));
-  put (name, text->str);
+  script_put (name, text->str);
 }
 
 /* What an order costs is told by the trace as well: births and claims. */
 static void
 test_count_agrees_with_the_trace (void)
 {
-  g_auto (Result) counts = { 0 }, trace = { 0 };
+  g_auto (ScriptResult) counts = { 0 }, trace = { 0 };
   guint n_created = 0, n_claims = 0;
   g_autofree char *created = NULL, *claims = NULL;
   g_auto (GStrv) lines = NULL;
 
   put_scattered ("scattered.txt");
-  run (&counts, "count --order random --seed 4 scattered.txt");
-  run (&trace, "trace --order random --seed 4 scattered.txt");
+  script_run (&counts, "count --order random --seed 4 scattered.txt");
+  script_run (&trace, "trace --order random --seed 4 scattered.txt");
   g_assert_cmpint (counts.status, ==, 0);
   lines = g_strsplit (trace.out, "\n", -1);
   g_assert_cmpstr (lines[1], ==, "order random 4");
@@ -536,14 +346,14 @@ test_count_agrees_with_the_trace (void)
 static void
 test_walking_claims_nothing (void)
 {
-  g_auto (Result) counts = { 0 };
+  g_auto (ScriptResult) counts = { 0 };
   g_autofree char *no_claim
       = g_strdup_printf ("%-28s %12u ", "claims, redistributed too", 0);
   g_autofree char *no_step
       = g_strdup_printf ("%-28s %12u ", "steps of walks", 0);
 
   put_scattered ("scattered.txt");
-  run (&counts, "count --order hilbert scattered.txt");
+  script_run (&counts, "count --order hilbert scattered.txt");
   g_assert_cmpint (counts.status, ==, 0);
   g_assert_nonnull (strstr (counts.out, no_claim));
   g_assert_null (strstr (counts.out, no_step));
@@ -553,8 +363,6 @@ static const struct {
   const char *name;
   GTestFunc run;
 } tests[] = {
-  { "/cli/the-look-of-a-picture-matters", test_the_look_of_a_picture_matters },
-  { "/cli/export-follows-the-order", test_export_follows_the_order },
   { "/cli/count-agrees-with-the-trace", test_count_agrees_with_the_trace },
   { "/cli/walking-claims-nothing", test_walking_claims_nothing },
   { "/cli/each-failure-has-its-status-and-message",
@@ -573,10 +381,6 @@ static const struct {
     test_replay_names_lesson_stop_and_text },
   { "/cli/results-do-not-depend-on-the-locale",
     test_results_do_not_depend_on_the_locale },
-  { "/cli/pictures-are-of-the-kind-of-their-name",
-    test_pictures_are_of_the_kind_of_their_name },
-  { "/cli/the-moment-of-a-picture-matters",
-    test_the_moment_of_a_picture_matters },
   { "/cli/actions-are-listed-in-columns", test_actions_are_listed_in_columns },
   { "/cli/help-and-version-are-no-failures",
     test_help_and_version_are_no_failures },
@@ -588,18 +392,8 @@ static const struct {
 int
 main (int argc, char **argv)
 {
-  g_autofree char *remove = NULL;
-  int status;
-
   g_test_init (&argc, &argv, NULL);
-  folder = g_dir_make_tmp ("hull2vd-XXXXXX", NULL);
-  put_files ();
   for (guint i = 0; i < G_N_ELEMENTS (tests); i++)
     g_test_add_func (tests[i].name, tests[i].run);
-  status = g_test_run ();
-
-  remove = g_strdup_printf ("rm -rf '%s'", folder);
-  g_spawn_command_line_sync (remove, NULL, NULL, NULL, NULL);
-  g_free (folder);
-  return status;
+  return script_test_run ();
 }

@@ -1,74 +1,19 @@
 /* Lessons that attack: each is refused by the program itself, with its place
  * and a reason, in bounded time and memory, and nothing comes of it. */
 #include "lesson-text.h"
+#include "limited.h"
 
 #include <glib.h>
 #include <glib/gstdio.h>
-#include <signal.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #define BROKEN 2
 
-/* What AddressSanitizer reserves is no memory of ours. */
-#if defined(__SANITIZE_ADDRESS__)
-#define IS_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define IS_SANITIZED 1
-#endif
-#endif
-#ifndef IS_SANITIZED
-#define IS_SANITIZED 0
-#endif
-
-/* More than any refusal may take: a program that hangs is ended, and the test
- * fails by its signal. */
-static void
-limit (gpointer user)
-{
-  const struct rlimit memory = { 200 << 20, 200 << 20 };
-  const struct rlimit seconds = { 20, 20 };
-
-  (void)user;
-  if (!IS_SANITIZED)
-    setrlimit (RLIMIT_AS, &memory);
-  setrlimit (RLIMIT_CPU, &seconds);
-}
-
-typedef struct Result {
-  int status; /* exit status, or -1: ended by a signal */
-  char *out, *err;
-} Result;
-
-static Result
-run (const char *folder, const char *command, const char *path)
-{
-  const char *argv[] = { g_getenv ("HULL2VD_CLI"), command, path, NULL };
-  Result result;
-  g_autoptr (GError) error = NULL;
-  int status;
-
-  g_spawn_sync (folder, (char **)argv, NULL, 0, limit, NULL, &result.out,
-                &result.err, &status, &error);
-  g_assert_no_error (error);
-  result.status = WIFEXITED (status) ? WEXITSTATUS (status) : -1;
-  return result;
-}
-
-static void
-result_clear (Result *result)
-{
-  g_free (result->out);
-  g_free (result->err);
-}
-
 /* FILE:LINE:COL: reason, without control characters. */
 static void
-check_message (const char *name, const Result *result)
+check_message (const char *name, const LimitedResult *result)
 {
   const char *end = strchr (result->err, '\n');
   g_autofree char *line = end == NULL
@@ -85,22 +30,6 @@ check_message (const char *name, const Result *result)
   g_test_fail ();
 }
 
-static char *
-make_folder (void)
-{
-  return g_dir_make_tmp ("hull2vd-hostile-XXXXXX", NULL);
-}
-
-static void
-remove_folder (char *folder)
-{
-  const char *const argv[] = { "rm", "-rf", folder, NULL };
-
-  g_spawn_sync (NULL, (char **)argv, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL,
-                NULL, NULL, NULL, NULL);
-  g_free (folder);
-}
-
 /* By lint and by replay, with the same words. */
 static void
 check_bytes_in (const char *folder,
@@ -109,28 +38,28 @@ check_bytes_in (const char *folder,
                 gsize length)
 {
   g_autofree char *path = g_build_filename (folder, "l.md", NULL);
-  Result lint, replay;
+  LimitedResult lint, replay;
 
   g_assert_true (g_file_set_contents (path, bytes, (gssize)length, NULL));
-  lint = run (folder, "lint", "l.md");
-  replay = run (folder, "replay", "l.md");
+  lint = limited_run (folder, "lint", "l.md");
+  replay = limited_run (folder, "replay", "l.md");
   check_message (name, &lint);
   check_message (name, &replay);
   if (strstr (lint.err, replay.err) == NULL) {
     g_test_message ("%s: lint “%s”, replay “%s”", name, lint.err, replay.err);
     g_test_fail ();
   }
-  result_clear (&lint);
-  result_clear (&replay);
+  limited_result_clear (&lint);
+  limited_result_clear (&replay);
 }
 
 static void
 check_bytes (const char *name, const char *bytes, gsize length)
 {
-  char *folder = make_folder ();
+  char *folder = limited_make_folder ();
 
   check_bytes_in (folder, name, bytes, length);
-  remove_folder (folder);
+  limited_remove_folder (folder);
 }
 
 static void
@@ -398,7 +327,7 @@ test_files_outside_the_folder (void)
     "sites/../../x",
     "absent.txt",
   };
-  char *folder = make_folder ();
+  char *folder = limited_make_folder ();
   g_autofree char *out = g_build_filename (folder, "out.txt", NULL);
   g_autofree char *zero = g_build_filename (folder, "zero.txt", NULL);
   g_autofree char *pipe = g_build_filename (folder, "pipe.txt", NULL);
@@ -412,34 +341,34 @@ test_files_outside_the_folder (void)
   g_assert_cmpint (g_mkdir (below, 0700), ==, 0);
   for (guint i = 0; i < G_N_ELEMENTS (names); i++)
     check_site_file (folder, names[i]);
-  remove_folder (folder);
+  limited_remove_folder (folder);
 }
 
 /* Text that means something elsewhere is text here. */
 static void
 test_markup_is_shown_as_it_is_written (void)
 {
-  char *folder = make_folder ();
+  char *folder = limited_make_folder ();
   g_autofree char *path = g_build_filename (folder, "l.md", NULL);
-  Result result;
+  LimitedResult result;
 
   g_assert_true (g_file_set_contents (
       path,
       STOP "A <span size=\"999999\">b & c %n %s <a href=\"x\">d\n\n"
            "<div>unclosed\n",
       -1, NULL));
-  result = run (folder, "lint", "l.md");
+  result = limited_run (folder, "lint", "l.md");
   g_assert_cmpint (result.status, ==, 0);
   g_assert_nonnull (strstr (result.err, "l.md:12:1: warning: HTML"));
-  result_clear (&result);
-  remove_folder (folder);
+  limited_result_clear (&result);
+  limited_remove_folder (folder);
 }
 
 /* Others' files stay as they are, and nothing new appears. */
 static void
 test_lint_tells_all_and_writes_nothing (void)
 {
-  char *folder = make_folder ();
+  char *folder = limited_make_folder ();
   g_autofree char *path = g_build_filename (folder, "l.md", NULL);
   g_autoptr (GDir) files = NULL;
   g_auto (GStrv) lines = NULL;
@@ -450,7 +379,7 @@ test_lint_tells_all_and_writes_nothing (void)
     "l.md:14:1: there is no layer “hll” (did you mean “hull”?)",
     "l.md:21:7: nothing called “horizn” can be clicked (did you mean",
   };
-  Result result;
+  LimitedResult result;
 
   g_assert_true (g_file_set_contents (
       path,
@@ -458,7 +387,7 @@ test_lint_tells_all_and_writes_nothing (void)
       "viws both\n```\n\n## S\n\n```steps\nnxt\ngoto round 7 see\nshow hll\n"
       "```\n\n## R\n\n```ask\nbefore round 1 see\nclick horizn\n```\n",
       -1, NULL));
-  result = run (folder, "lint", "l.md");
+  result = limited_run (folder, "lint", "l.md");
   g_assert_cmpint (result.status, ==, BROKEN);
   lines = g_strsplit (result.err, "\n", -1);
   g_assert_cmpuint (g_strv_length (lines), ==, G_N_ELEMENTS (told) + 1);
@@ -467,25 +396,25 @@ test_lint_tells_all_and_writes_nothing (void)
   files = g_dir_open (folder, 0, NULL);
   g_assert_cmpstr (g_dir_read_name (files), ==, "l.md");
   g_assert_null (g_dir_read_name (files));
-  result_clear (&result);
-  remove_folder (folder);
+  limited_result_clear (&result);
+  limited_remove_folder (folder);
 }
 
 static void
 test_a_pipe_nobody_writes_to_does_not_wait (void)
 {
-  char *folder = make_folder ();
+  char *folder = limited_make_folder ();
   g_autofree char *pipe = g_build_filename (folder, "l.md", NULL);
-  Result result;
+  LimitedResult result;
 
   g_assert_cmpint (mkfifo (pipe, 0600), ==, 0);
-  result = run (folder, "lint", "l.md");
+  result = limited_run (folder, "lint", "l.md");
   check_message ("a pipe", &result);
-  result_clear (&result);
-  result = run (folder, "lint", "absent.md");
+  limited_result_clear (&result);
+  result = limited_run (folder, "lint", "absent.md");
   g_assert_cmpint (result.status, ==, 66);
-  result_clear (&result);
-  remove_folder (folder);
+  limited_result_clear (&result);
+  limited_remove_folder (folder);
 }
 
 static const struct {

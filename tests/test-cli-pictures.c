@@ -1,0 +1,126 @@
+/* Pictures as hull2vd-cli writes them. */
+#include "script.h"
+
+static void
+test_pictures_are_of_the_kind_of_their_name (void)
+{
+  static const struct {
+    const char *line, *name, *magic;
+  } rows[] = {
+    { "export -o p.svg five.txt", "p.svg", "<?xml" },
+    { "export --view plane -o p.pdf five.txt", "p.pdf", "%PDF-" },
+    { "export --view space -o p.png five.txt", "p.png", "\x89PNG" },
+    { "export --event 3 -o e.svg five.txt", "e.svg", "<?xml" },
+    { "export --round 0 -o r.svg five.txt", "r.svg", "<?xml" },
+    { "export --stop 2 -o s.svg good.md", "s.svg", "<?xml" },
+    { "export -o l.svg good.md", "l.svg", "<?xml" },
+    { "export --size 320x200 -o t.svg square.txt", "t.svg", "<?xml" },
+    { "storyboard -o b.pdf good.md", "b.pdf", "%PDF-" },
+  };
+
+  for (guint i = 0; i < G_N_ELEMENTS (rows); i++) {
+    g_auto (ScriptResult) result = { 0 };
+    g_autofree char *bytes = NULL;
+
+    script_run (&result, rows[i].line);
+    g_assert_cmpstr (result.err, ==, "");
+    g_assert_cmpint (result.status, ==, 0);
+    bytes = script_get (rows[i].name);
+    g_assert_true (g_str_has_prefix (bytes, rows[i].magic));
+  }
+}
+
+/* Each option shows: no two of these pictures are alike. */
+static void
+test_the_look_of_a_picture_matters (void)
+{
+  static const char *const options[] = { "",
+                                         "--theme paper",
+                                         "--theme projector",
+                                         "--theme dark",
+                                         "--theme print",
+                                         "--theme contrast",
+                                         "--line-scale 2",
+                                         "--mark-scale 2",
+                                         "--text-scale 2",
+                                         "--layers hull",
+                                         "--layers -hull",
+                                         "--layers +circumcircles,-lifts",
+                                         "--camera look-up",
+                                         "--camera 40,10",
+                                         "--camera 40,10,1.5",
+                                         "--scale 2",
+                                         "--transparent" };
+  g_autoptr (GHashTable) seen
+      = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+
+  for (guint i = 0; i < G_N_ELEMENTS (options); i++) {
+    g_auto (ScriptResult) result = { 0 };
+    g_autofree char *line = g_strdup_printf (
+        "export --round 0 %s -o m.svg five.txt && cat m.svg", options[i]);
+
+    script_run (&result, line);
+    g_assert_cmpint (result.status, ==, 0);
+    if (!g_hash_table_add (seen, g_steal_pointer (&result.out)))
+      g_error ("%s: changes nothing", options[i]);
+  }
+}
+
+static void
+test_the_moment_of_a_picture_matters (void)
+{
+  static const char *const lines[]
+      = { "export --event 3 -o m.svg five.txt && cat m.svg",
+          "export --round 0 -o m.svg five.txt && cat m.svg",
+          "export -o m.svg five.txt && cat m.svg",
+          "export --stop 1 -o m.svg good.md && cat m.svg" };
+  g_autoptr (GHashTable) seen
+      = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+
+  for (guint i = 0; i < G_N_ELEMENTS (lines); i++) {
+    g_auto (ScriptResult) result = { 0 };
+
+    script_run (&result, lines[i]);
+    g_assert_true (g_hash_table_add (seen, g_steal_pointer (&result.out)));
+  }
+}
+
+/* The third site to be inserted differs, so the pictures do. */
+static void
+test_export_follows_the_order (void)
+{
+  g_auto (ScriptResult) furthest = { 0 }, input = { 0 };
+  g_autofree char *first = NULL, *second = NULL;
+
+  script_put ("wheel.txt",
+              "13 2\n7 12\n-4 13\n-13 4\n-10 -9\n1 -14\n11 -9\n0 0\n");
+  script_run (&furthest, "export --round 1 -o furthest.svg wheel.txt");
+  script_run (&input, "export --round 1 --order input -o input.svg wheel.txt");
+  g_assert_cmpint (furthest.status, ==, 0);
+  g_assert_cmpint (input.status, ==, 0);
+  first = script_get ("furthest.svg");
+  second = script_get ("input.svg");
+  g_assert_cmpstr (first, !=, second);
+}
+
+static const struct {
+  const char *name;
+  GTestFunc run;
+} tests[] = {
+  { "/cli-pictures/pictures-are-of-the-kind-of-their-name",
+    test_pictures_are_of_the_kind_of_their_name },
+  { "/cli-pictures/the-look-of-a-picture-matters",
+    test_the_look_of_a_picture_matters },
+  { "/cli-pictures/the-moment-of-a-picture-matters",
+    test_the_moment_of_a_picture_matters },
+  { "/cli-pictures/export-follows-the-order", test_export_follows_the_order },
+};
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  for (guint i = 0; i < G_N_ELEMENTS (tests); i++)
+    g_test_add_func (tests[i].name, tests[i].run);
+  return script_test_run ();
+}
