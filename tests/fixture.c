@@ -219,13 +219,25 @@ fixture_new (Family family, guint32 seed, guint n, OrderKind order)
       &(Order){ order, seed });
 }
 
+static guint
+positive_of (const char *variable)
+{
+  const char *number = g_getenv (variable);
+
+  return number == NULL ? 1
+                        : (guint)MAX (1, g_ascii_strtoull (number, NULL, 10));
+}
+
 guint
 fixture_soak_factor (void)
 {
-  const char *factor = g_getenv ("HULL2VD_SOAK");
+  return positive_of ("HULL2VD_SOAK");
+}
 
-  return factor == NULL ? 1
-                        : (guint)MAX (1, g_ascii_strtoull (factor, NULL, 10));
+guint
+fixture_n_seeds (guint n)
+{
+  return MAX (1, n * fixture_soak_factor () / positive_of ("HULL2VD_SAMPLE"));
 }
 
 void
@@ -234,7 +246,7 @@ fixture_for_each (guint n,
                   OrderKind order,
                   void (*check) (const Fixture *fixture))
 {
-  const guint n_seeds = n * fixture_soak_factor ();
+  const guint n_seeds = fixture_n_seeds (n);
 
   for (guint i = 0; i < n_seeds * N_FAMILIES; i++) {
     g_autoptr (Fixture) fixture

@@ -39,8 +39,11 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC (Fixture, fixture_free)
 /* Returns: how many times as many seeds to try: HULL2VD_SOAK, or 1. */
 guint fixture_soak_factor (void);
 
-/* Calls @check for @n seeds of every family; HULL2VD_SOAK multiplies the
- * number of seeds. */
+/* Returns: how many seeds to try where @n are wanted: HULL2VD_SOAK times as
+ * many; one in HULL2VD_SAMPLE, but at least one, where each takes long. */
+guint fixture_n_seeds (guint n);
+
+/* Calls @check for fixture_n_seeds (@n) seeds of every family. */
 void fixture_for_each (guint n,
                        guint n_sites,
                        OrderKind order,

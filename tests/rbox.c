@@ -453,7 +453,7 @@ rbox_for_each (guint n,
                guint most,
                void (*check) (const SiteSet *set, const char *name))
 {
-  const guint n_sets = n * fixture_soak_factor () * N_RBOXES;
+  const guint n_sets = fixture_n_seeds (n) * N_RBOXES;
 
   for (guint i = 0; i < n_sets; i++) {
     const guint32 seed = i / N_RBOXES;

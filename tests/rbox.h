@@ -45,8 +45,8 @@ SiteSet *rbox_new (Rbox kind, guint32 seed, guint n);
 /* Returns: "cube" and so on. */
 const char *rbox_name (Rbox kind);
 
-/* Calls @check for @n seeds of every kind with at most @most sites;
- * HULL2VD_SOAK multiplies the number of seeds. @name names kind and seed. */
+/* Calls @check for fixture_n_seeds (@n) seeds of every kind with at most
+ * @most sites. @name names kind and seed. */
 void rbox_for_each (guint n,
                     guint most,
                     void (*check) (const SiteSet *set, const char *name));

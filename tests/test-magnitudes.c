@@ -96,7 +96,7 @@ judge_magnitudes (GRand *random)
 static void
 test_sets_of_any_magnitude_are_right_or_refused (void)
 {
-  const guint n = 150 * fixture_soak_factor ();
+  const guint n = fixture_n_seeds (150);
   GRand *random = g_rand_new_with_seed (290);
   guint n_fit = 0;
 

@@ -2,6 +2,7 @@
 
 #include "exact.h"
 
+#include "fixture.h"
 #include "lift-judge.h"
 
 #include <glib.h>
@@ -131,10 +132,7 @@ enum { N_TUPLES = 20000 };
 static int
 n_tuples (void)
 {
-  const char *factor = g_getenv ("HULL2VD_SOAK");
-  const gint64 n = factor != NULL ? g_ascii_strtoll (factor, NULL, 10) : 1;
-
-  return N_TUPLES * (int)CLAMP (n, 1, 1000);
+  return (int)MIN (fixture_n_seeds (N_TUPLES), N_TUPLES * 1000);
 }
 
 /* Every site of a grid of 256 by 256 ulps around the fourth corner of three
