@@ -229,6 +229,26 @@ test_a_turned_camera_is_kept_until_the_lesson_turns_it (void)
 }
 
 static void
+test_a_stop_keeps_the_sites_selected (void)
+{
+  g_autoptr (Session) session = new_session ();
+  const guint32 others[] = { 0, 1, 2 };
+  const guint32 *sites;
+  guint n;
+
+  for (guint i = 0; i < 2; i++) {
+    session_set_stop (session, 2);
+    sites = session_get_selected_sites (session, &n);
+    g_assert_cmpuint (n, ==, 1);
+    g_assert_cmpuint (sites[0], ==, 4);
+    session_select_sites (session, others, G_N_ELEMENTS (others));
+    session_set_stop (session, 3);
+    session_get_selected_sites (session, &n);
+    g_assert_cmpuint (n, ==, 0);
+  }
+}
+
+static void
 test_edits_leave_the_lesson_and_return (void)
 {
   g_autoptr (Session) session = new_session ();
@@ -370,6 +390,8 @@ static const struct {
     test_back_returns_to_a_stop_that_was_left_by_steps },
   { "/stops/a-turned-camera-is-kept-until-the-lesson-turns-it",
     test_a_turned_camera_is_kept_until_the_lesson_turns_it },
+  { "/stops/a-stop-keeps-the-sites-selected",
+    test_a_stop_keeps_the_sites_selected },
   { "/stops/edits-leave-the-lesson-and-return",
     test_edits_leave_the_lesson_and_return },
   { "/stops/opening-a-lesson-can-be-undone",

@@ -10,6 +10,9 @@ session_get_state (Session *session)
   state->run = run_ref (session->run);
   state->step = session->step;
   state->look = session->look;
+  /* A selection is replaced as a whole, never changed. */
+  if (session->selected != NULL)
+    state->selected = g_array_ref (session->selected);
   state->exhibit_kind = session->exhibit_kind;
   state->exhibit_step = session->exhibit_step;
   state->views = session->views;
@@ -26,6 +29,7 @@ void
 stop_state_free (StopState *state)
 {
   run_unref (state->run);
+  g_clear_pointer (&state->selected, g_array_unref);
   g_free (state);
 }
 
@@ -36,7 +40,12 @@ static void
 put_look (Session *session, const StopState *from, const StopState *state)
 {
   const SceneLook old = session->look;
+  GArray *selected = state->selected;
 
+  if (selected != NULL)
+    g_array_ref (selected);
+  g_clear_pointer (&session->selected, g_array_unref);
+  session->selected = selected;
   /* What is under the pointer stays there. */
   session->look = state->look;
   session->look.hover = old.hover;

@@ -16,15 +16,14 @@ struct StopState {
   Order other_order;  /* of two runs */
   gboolean compares_space;
   ExhibitTurn turn;
-  SceneLook look; /* without what the pointer makes of it */
+  SceneLook look;   /* without what the pointer makes of it */
+  GArray *selected; /* what look.selected points to, or NULL */
   Views views;
   Listing listing;
   Camera camera;
   int told_theme; /* ThemeKind, or -1: the lesson tells none */
 };
 
-/* Copies what it holds; free with stop_state_free(). */
-StopState *stop_state_copy (const StopState *state);
 void stop_state_free (StopState *state);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (StopState, stop_state_free)
 
