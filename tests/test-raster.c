@@ -171,11 +171,46 @@ choose (Walk *walk)
   return (guint)g_rand_int_range (walk->rand, 0, (int)trace->n_events + 1);
 }
 
+/* An object of any kind that the trace has rows of. */
+static Object
+choose_object (Walk *walk)
+{
+  const Trace *trace = walk->fixture->trace;
+  const uint32_t n_rows[] = { [OBJECT_NONE] = 1,
+                              [OBJECT_SITE] = walk->fixture->set->n_sites,
+                              [OBJECT_FACET] = trace->n_facets,
+                              [OBJECT_VERTEX] = trace->n_facets,
+                              [OBJECT_RIDGE] = trace->n_ridges };
+  const int kind = g_rand_int_range (walk->rand, 0, G_N_ELEMENTS (n_rows));
+
+  if (kind == OBJECT_NONE || n_rows[kind] == 0)
+    return (Object){ OBJECT_NONE, 0 };
+  return (Object){ (ObjectKind)kind, (uint32_t)g_rand_int_range (
+                                         walk->rand, 0, (int)n_rows[kind]) };
+}
+
+/* The next event; or the same one with other objects lit; or any one. */
+static guint
+go_on (Walk *walk, guint step, guint turn)
+{
+  switch (turn % 4) {
+  case 1:
+    walk->look.hover = choose_object (walk);
+    return step;
+  case 2:
+    walk->look.selection = choose_object (walk);
+    return step;
+  case 3:
+    return choose (walk);
+  default:
+    return MIN (step + 1, walk->fixture->trace->n_events);
+  }
+}
+
 static void
 take_steps (Walk *walk, Easel *easel, guint n)
 {
   const Theme *theme = theme_get (THEME_LIGHT);
-  const guint n_events = walk->fixture->trace->n_events;
   guint step = choose (walk);
 
   for (guint i = 0; i < n; i++) {
@@ -183,7 +218,7 @@ take_steps (Walk *walk, Easel *easel, guint n)
     Projection projection;
     cairo_region_t *region;
 
-    step = i % 4 == 3 ? choose (walk) : MIN (step + 1, n_events);
+    step = go_on (walk, step, i);
     projection = build (walk, step);
     region = easel_paint (easel, &walk->scene, &projection, theme, 1);
     walk->n_partly += area_of (region) < 300 * 300 / 2;
@@ -211,7 +246,7 @@ walk_through (const Fixture *fixture)
     frame_init (&frame, fixture->trace, 0);
     scene_look_init (&walk.look, &frame);
     frame_clear (&frame);
-    take_steps (&walk, easel, 16);
+    take_steps (&walk, easel, 24);
     g_assert_cmpuint (walk.n_partly, >, 4);
     scene_clear (&walk.scene);
     easel_free (easel);

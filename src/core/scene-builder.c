@@ -206,12 +206,14 @@ scene_builder_init (SceneBuilder *builder,
   if (!(look->mask & MASK_ROUND))
     builder->parts = loud_parts (frame->place.phase, look->focus);
   builder->ridge_of = find_ridges (frame);
+  builder->roles = scene_roles_new (builder->frame);
 }
 
 void
 scene_builder_clear (SceneBuilder *builder)
 {
   free (builder->ridge_of);
+  free (builder->roles);
   frame_mask_clear (&builder->mask);
 }
 

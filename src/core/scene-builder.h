@@ -17,6 +17,7 @@ typedef struct SceneBuilder {
   uint32_t parts;     /* of the active set that are loud, Part bits */
   uint32_t *ridge_of; /* per Delaunay edge: its row of Trace.ridges; flat
                          input: its own number */
+  uint32_t *roles;    /* per facet of the trace: see scene_roles() */
   ScenePass pass;     /* of the items that are added next */
 } SceneBuilder;
 
@@ -189,6 +190,10 @@ bool scene_is_new_apex (const SceneBuilder *builder, uint32_t site);
 
 /* Returns: the roles of a facet at this step; those of flat input stand. */
 uint32_t scene_roles (const SceneBuilder *builder, uint32_t facet);
+
+/* Returns: the roles of all facets of the frame's trace, 0 for those that are
+ *          not in the frame; SceneBuilder.roles. */
+uint32_t *scene_roles_new (const Frame *frame);
 
 /* Returns: the role of a site's mark. */
 Role scene_site_role (SiteState state);

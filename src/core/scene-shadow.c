@@ -5,12 +5,25 @@
 
 #include <stdlib.h>
 
+uint32_t *
+scene_roles_new (const Frame *frame)
+{
+  uint32_t *roles = memory_new (frame->trace->n_facets, sizeof *roles);
+  uint32_t i;
+
+  for (i = 0; i < frame->n_facets; i++)
+    roles[frame->facets[i].facet] = frame->facets[i].roles;
+  return roles;
+}
+
 uint32_t
 scene_roles (const SceneBuilder *builder, uint32_t facet)
 {
-  return builder->frame->trace->is_flat
-             ? FACET_STANDS
-             : frame_facet_roles (builder->frame, facet);
+  const Trace *trace = builder->frame->trace;
+
+  if (trace->is_flat)
+    return FACET_STANDS;
+  return facet < trace->n_facets ? builder->roles[facet] : 0;
 }
 
 static const RoundRow *
