@@ -3,8 +3,9 @@
 
 Every line `ok` or `not ok` of TAP is one. What did not run is a failure too:
 a skipped subtest, one that was planned and never came, a program that
-crashed, timed out or printed no TAP, a test that is not in the log. The last
-line is `N passed, N failed`.
+crashed, timed out or printed no TAP, a test that is not in the log. A test
+that tells by its exit status alone is one subtest. The last line is
+`N passed, N failed`.
 """
 import argparse
 import json
@@ -39,9 +40,12 @@ def failures_of_output(stdout):
     return n_passed, failed
 
 
-def failures_of_test(record):
+def failures_of_test(record, protocol):
+    is_ok = record["result"] == "OK"
+    if protocol == "exitcode":
+        return (1, []) if is_ok else (0, ["it fails"])
     n_passed, failed = failures_of_output(record.get("stdout") or "")
-    if record["result"] != "OK" and not failed:
+    if not is_ok and not failed:
         failed.append("the program: " + record["result"].lower())
     return n_passed, failed
 
@@ -66,31 +70,31 @@ def read_log(directory):
 
 
 def tests_of(directory, arguments):
-    """Returns the names of the tests that should have run."""
+    """Returns the tests that should have run: names and protocols."""
     listing = directory / "meson-info" / "intro-tests.json"
     if not listing.exists():
-        return ["every test"]
-    return [
-        test["name"]
+        return {"every test": "tap"}
+    return {
+        test["name"]: test["protocol"]
         for test in json.loads(listing.read_text())
         if (not arguments.only or test["name"] in arguments.only)
         and (
             not arguments.suite
             or any(suite.endswith(arguments.suite) for suite in test["suite"])
         )
-    ]
+    }
 
 
 def tally(directory, arguments):
     n_passed, n_failed = 0, 0
     records = read_log(directory)
-    names = tests_of(directory, arguments) or ["no such test"]
-    for name in names:
+    tests = tests_of(directory, arguments) or {"no such test": "tap"}
+    for name, protocol in tests.items():
         if name not in records:
             print(f"FAILED {directory}: {name}: it did not run")
             n_failed += 1
             continue
-        passed, failed = failures_of_test(records[name])
+        passed, failed = failures_of_test(records[name], protocol)
         n_passed += passed
         n_failed += len(failed)
         for reason in failed:
