@@ -1,6 +1,6 @@
 #include "lesson-list.h"
 
-#include "lesson.h"
+#include "lesson-words.h"
 #include "locate.h"
 
 static void
@@ -21,7 +21,7 @@ lesson_list_new (void)
 
   for (guint i = 0; i < paths->len; i++) {
     const char *path = g_ptr_array_index (paths, i);
-    g_autoptr (Lesson) lesson = lesson_load (path, NULL);
+    g_autoptr (Lesson) lesson = lesson_words_load (path, NULL);
     LessonEntry *entry;
 
     if (lesson == NULL)

@@ -1,5 +1,7 @@
 #include "lesson-watch.h"
 
+#include "lesson-words.h"
+
 /* Editors save in several steps; the last one counts. */
 #define SETTLE_MS 150
 
@@ -49,8 +51,10 @@ on_settled (gpointer user)
 
   watch->source = 0;
   lesson_panel_set_faults (watch->panel, faults);
-  if (lesson != NULL)
-    session_renew_lesson (watch->session, lesson);
+  if (lesson == NULL)
+    return G_SOURCE_REMOVE;
+  lesson_words_translate (lesson);
+  session_renew_lesson (watch->session, lesson);
   return G_SOURCE_REMOVE;
 }
 

@@ -33,6 +33,7 @@ CliStatus cli_compute (const CliCommand *command, int argc, char **argv);
 CliStatus cli_count (const CliCommand *command, int argc, char **argv);
 CliStatus cli_trace (const CliCommand *command, int argc, char **argv);
 CliStatus cli_lint (const CliCommand *command, int argc, char **argv);
+CliStatus cli_words (const CliCommand *command, int argc, char **argv);
 CliStatus cli_replay (const CliCommand *command, int argc, char **argv);
 CliStatus cli_export (const CliCommand *command, int argc, char **argv);
 CliStatus cli_storyboard (const CliCommand *command, int argc, char **argv);

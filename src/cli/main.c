@@ -21,6 +21,8 @@ static const CliCommand commands[] = {
     cli_export },
   { "storyboard", "LESSON", N_ ("Write the stops of a lesson as PDF"),
     cli_storyboard },
+  { "words", "LESSON…", N_ ("Write what there is to translate in lessons"),
+    cli_words },
   { "actions", "", N_ ("List all actions by name"), cli_actions },
 };
 

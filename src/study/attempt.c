@@ -189,10 +189,11 @@ grade_numbers (Grading *grading)
       verdict->missing += 1;
       tell (verdict->missed, g_strdup_printf (_ ("%s: %u."), label, right));
     } else {
+      g_autofree char *wrong = g_strdup_printf ("%" G_GINT64_FORMAT, given);
+
       verdict->wrong += 1;
-      tell (
-          verdict->reasons,
-          g_strdup_printf (_ ("%s: not %" G_GINT64_FORMAT "."), label, given));
+      tell (verdict->reasons,
+            g_strdup_printf (_ ("%s: not %s."), label, wrong));
       tell (verdict->missed, g_strdup_printf (_ ("%s: %u."), label, right));
     }
   }

@@ -1,6 +1,7 @@
 #include "document.h"
 
 #include "lesson-source.h"
+#include "lesson-words.h"
 #include "site-file.h"
 
 #include <errno.h>
@@ -126,7 +127,7 @@ open_set (Session *session, SiteSet *set, GError **error)
 static gboolean
 open_lesson (Session *session, const char *path, GError **error)
 {
-  g_autoptr (Lesson) lesson = lesson_load (path, error);
+  g_autoptr (Lesson) lesson = lesson_words_load (path, error);
 
   if (lesson == NULL)
     return FALSE;

@@ -3,6 +3,7 @@
  * lines. */
 #include "lesson-reader.h"
 
+#include "prose-words.h"
 #include "stop-state.h"
 
 #include <glib/gi18n.h>
@@ -76,7 +77,9 @@ lesson_read_prose (LessonReader *reader,
 static const char *
 quoted_words (cmark_node *quote)
 {
-  cmark_node *node = cmark_node_first_child (quote);
+  cmark_node *node = cmark_node_get_type (quote) == CMARK_NODE_BLOCK_QUOTE
+                         ? cmark_node_first_child (quote)
+                         : NULL;
 
   if (node == NULL || cmark_node_get_type (node) != CMARK_NODE_PARAGRAPH)
     return "";
@@ -88,47 +91,31 @@ quoted_words (cmark_node *quote)
 
 #define NOTE_MARK "Note:"
 
-/* A quotation that begins with "Note:" is for the lecturer. */
-static gboolean
-read_quote (LessonReader *reader, cmark_node *quote, GError **error)
+gboolean
+lesson_note_strip (cmark_node *node)
 {
-  const char *words = quoted_words (quote);
+  const char *words = quoted_words (node);
   g_autofree char *rest = NULL;
 
   if (!g_str_has_prefix (words, NOTE_MARK))
-    return lesson_read_prose (reader, quote, reader->prose, error);
-
+    return FALSE;
   rest = g_strchug (g_strdup (words + strlen (NOTE_MARK)));
   cmark_node_set_literal (
-      cmark_node_first_child (cmark_node_first_child (quote)), rest);
+      cmark_node_first_child (cmark_node_first_child (node)), rest);
+  return TRUE;
+}
+
+static gboolean
+read_quote (LessonReader *reader, cmark_node *quote, GError **error)
+{
+  if (!lesson_note_strip (quote))
+    return lesson_read_prose (reader, quote, reader->prose, error);
+
   for (cmark_node *node = cmark_node_first_child (quote); node != NULL;
        node = cmark_node_next (node))
     if (!lesson_read_prose (reader, node, reader->note, error))
       return FALSE;
   return TRUE;
-}
-
-/* Returns: (transfer full): the words of a heading, without markup. */
-static char *
-heading_words (cmark_node *heading)
-{
-  GString *words = g_string_new (NULL);
-  cmark_iter *iter = cmark_iter_new (heading);
-  cmark_event_type event;
-
-  while ((event = cmark_iter_next (iter)) != CMARK_EVENT_DONE) {
-    cmark_node *node = cmark_iter_get_node (iter);
-    const cmark_node_type type = cmark_node_get_type (node);
-
-    if (event != CMARK_EVENT_ENTER)
-      continue;
-    if (type == CMARK_NODE_TEXT || type == CMARK_NODE_CODE)
-      g_string_append (words, cmark_node_get_literal (node));
-    else if (type == CMARK_NODE_SOFTBREAK || type == CMARK_NODE_LINEBREAK)
-      g_string_append_c (words, ' ');
-  }
-  cmark_iter_free (iter);
-  return g_string_free (words, FALSE);
 }
 
 static gboolean
@@ -151,7 +138,7 @@ read_title (LessonReader *reader, cmark_node *heading, GError **error)
   if (reader->lesson->title != NULL)
     return blame (reader, lesson_node_line (heading), error,
                   _ ("a second title; stops are headings of level 2: ## STOP"));
-  reader->lesson->title = heading_words (heading);
+  reader->lesson->title = prose_plain_words (heading);
   return check_title (reader, lesson_node_line (heading), reader->lesson->title,
                       error);
 }
@@ -184,7 +171,7 @@ begin_stop (LessonReader *reader, cmark_node *heading, GError **error)
   end_text (reader);
   reader->stop = g_new0 (LessonStop, 1);
   reader->stop->line = line;
-  reader->stop->title = heading_words (heading);
+  reader->stop->title = prose_plain_words (heading);
   reader->stop->commands = g_ptr_array_new_with_free_func (lesson_command_free);
   reader->steps_line = reader->ask_line = 0;
   g_ptr_array_add (reader->lesson->stops, reader->stop);

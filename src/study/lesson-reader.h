@@ -31,6 +31,12 @@ gboolean lesson_read_prose (LessonReader *reader,
                             GString *text,
                             GError **error);
 
+/* A quotation that begins with "Note:" is for the lecturer: takes the mark
+ * off it.
+ *
+ * Returns: whether @node is one. */
+gboolean lesson_note_strip (cmark_node *node);
+
 /* Reads a block of code: commands, or code to be read. */
 gboolean
 lesson_read_fence (LessonReader *reader, cmark_node *block, GError **error);

@@ -1,6 +1,7 @@
 #include "locate.h"
 
 #include "config.h"
+#include "lesson-words.h"
 
 #include <libintl.h>
 #include <string.h>
@@ -54,10 +55,24 @@ locate_lesson_files (void)
   return paths;
 }
 
+/* Catalogs of one domain: in the folder that was chosen, in that of the build,
+ * or where they were installed. */
+static void
+bind_domain (const char *domain, const char *build_folder)
+{
+  const char *chosen = g_getenv ("HULL2VD_LOCALE");
+
+  if (chosen != NULL && *chosen != '\0')
+    bindtextdomain (domain, chosen);
+  else
+    bindtextdomain (domain, is_in_build_folder () ? build_folder : LOCALEDIR);
+  bind_textdomain_codeset (domain, "UTF-8");
+}
+
 void
 locate_translations (void)
 {
-  bindtextdomain (GETTEXT_PACKAGE, LOCALEDIR);
-  bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
+  bind_domain (GETTEXT_PACKAGE, BUILD_ROOT "/po");
+  bind_domain (LESSON_WORDS_DOMAIN, BUILD_ROOT "/lessons/po");
   textdomain (GETTEXT_PACKAGE);
 }

@@ -16,7 +16,9 @@ char *locate_lessons (void);
  *          there, by number. */
 GPtrArray *locate_lesson_files (void);
 
-/* Binds the translations; call once, after setlocale(). */
+/* Binds the translations of interface and lessons: those in $HULL2VD_LOCALE,
+ * else those of the build folder, else those in LOCALEDIR. Call once, after
+ * setlocale(). */
 void locate_translations (void);
 
 G_END_DECLS

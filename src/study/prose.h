@@ -1,4 +1,5 @@
-/* Prose of lessons: CommonMark to Pango markup, through libcmark. */
+/* Prose of lessons: CommonMark to Pango markup, and into other languages,
+ * through libcmark. */
 #ifndef PROSE_H
 #define PROSE_H
 
@@ -14,6 +15,16 @@ char *prose_to_markup (const char *commonmark);
 
 /* Returns: (transfer full): the words alone. */
 char *prose_to_text (const char *commonmark);
+
+/* Returns: the translation, borrowed, or NULL when there is none. */
+typedef const char *(*ProseTranslate) (const char *words);
+
+/* Puts one paragraph and heading after the other into another language.
+ *
+ * Returns: (transfer full): CommonMark; blocks that have no translation, and
+ *          those whose translation is no single paragraph, are as they
+ *          were. */
+char *prose_translate (const char *commonmark, ProseTranslate translate);
 
 G_END_DECLS
 

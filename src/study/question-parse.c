@@ -92,6 +92,14 @@ find_if (const char *text)
   return found;
 }
 
+char *
+question_option_words (const char *text)
+{
+  const char *at = find_if (text);
+
+  return at == NULL ? NULL : g_strstrip (g_strndup (text, at - text));
+}
+
 static void
 add_option (Question *question, const char *text, Condition *condition)
 {
@@ -117,13 +125,13 @@ static gboolean
 read_option (Reader *reader, const char *rest)
 {
   const char *at = find_if (rest);
-  g_autofree char *text = at == NULL ? NULL : g_strndup (rest, at - rest);
+  g_autofree char *text = question_option_words (rest);
   Condition *condition;
 
   if (reader->question->options->len == QUESTION_MAX_OPTIONS)
     return blame (reader, reader->line->text, _ ("more than %d options"),
                   QUESTION_MAX_OPTIONS);
-  if (at == NULL || *g_strstrip (text) == '\0')
+  if (at == NULL || *text == '\0')
     return blame (reader, rest,
                   _ ("an option says when it is right: option TEXT if "
                      "CONDITION"));

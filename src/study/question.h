@@ -120,6 +120,9 @@ Question *question_parse (const LessonSource *source,
                           const LessonLines *lines,
                           LessonFaults *faults);
 
+/* Returns: (transfer full): TEXT of an option "TEXT if CONDITION", or NULL. */
+char *question_option_words (const char *text);
+
 /* Makes a question from a kind and a seed, which chooses the round; the same
  * for the same trace, kind and seed. @kind is one of
  * question_generate_kinds().

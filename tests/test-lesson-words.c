@@ -1,0 +1,220 @@
+#include "lesson-words.h"
+
+#include "locate.h"
+
+#include <glib/gstdio.h>
+#include <string.h>
+
+static const char text[]
+    = "# The title\n\n"
+      "Some *prose*\non two lines.\n\n"
+      "> Note: for you.\n\n"
+      "```lesson\nformat 1\nsites 0 0; 1 0; 0 1; 1 2\n```\n\n"
+      "## A `stop`\n\n"
+      "- one\n- two\n\n"
+      "> quoted\n\n"
+      "### Below\n\n"
+      "    code\n\n"
+      "```ask\ncomplete\nchoose one\nprompt What?\nhint Look.\n"
+      "option yes if bounded s0 if inserted = 4\noption no if sites = 3\n"
+      "```\n\n"
+      "```steps\ngoto complete\nexpect narration contains lower\n```\n";
+
+static Lesson *
+parse (const char *commonmark)
+{
+  g_autoptr (GError) error = NULL;
+  Lesson *lesson
+      = lesson_parse (commonmark, strlen (commonmark), "l.md", &error);
+
+  g_assert_no_error (error);
+  return lesson;
+}
+
+/* Tells that it was asked, by a mark behind the words. */
+static const char *
+mark (const char *words)
+{
+  static char *marked;
+
+  g_free (marked);
+  marked = g_strconcat (words, "+", NULL);
+  return marked;
+}
+
+static void
+test_every_word_of_a_lesson_is_translated (void)
+{
+  g_autoptr (Lesson) lesson = parse (text);
+  const LessonStop *stop = lesson_stop (lesson, 0);
+  const QuestionOption *option;
+
+  lesson_words_translate_by (lesson, mark);
+  option = g_ptr_array_index (stop->question->options, 1);
+  g_assert_cmpstr (lesson->title, ==, "The title+");
+  g_assert_cmpstr (lesson->prose, ==, "Some *prose* on two lines.+\n");
+  g_assert_cmpstr (lesson->note, ==, "for you.+\n");
+  g_assert_cmpstr (stop->title, ==, "A stop+");
+  g_assert_cmpstr (stop->prose, ==,
+                   "  - one+\n  - two+\n\n> quoted+\n\n### Below+\n\n"
+                   "``` \ncode\n```\n");
+  g_assert_cmpstr (stop->question->prompt, ==, "What?+");
+  g_assert_cmpstr (g_ptr_array_index (stop->question->hints, 0), ==, "Look.+");
+  g_assert_cmpstr (option->text, ==, "no+");
+}
+
+static void
+test_commands_are_no_words (void)
+{
+  g_autoptr (Lesson) lesson = parse (text);
+  const LessonStop *stop = lesson_stop (lesson, 0);
+  const LessonCommand *command;
+
+  lesson_words_translate_by (lesson, mark);
+  command = g_ptr_array_index (stop->commands, 1);
+  g_assert_cmpstr (command->text, ==, "expect narration contains lower");
+  g_assert_cmpstr (stop->question->position, ==, "complete");
+}
+
+/* Knows all but titles. */
+static const char *
+mark_small_words (const char *words)
+{
+  return g_ascii_isupper (*words) ? NULL : mark (words);
+}
+
+static void
+test_a_lesson_in_no_catalog_keeps_its_words (void)
+{
+  g_autoptr (Lesson) lesson = parse (text);
+
+  lesson_words_translate_by (lesson, mark_small_words);
+  g_assert_cmpstr (lesson->note, ==, "for you.\n");
+}
+
+static const char *
+break_out (const char *words)
+{
+  return strchr (words, '*') != NULL ? "1. a list" : mark (words);
+}
+
+static void
+test_a_translation_that_is_no_paragraph_is_left_out (void)
+{
+  g_autoptr (Lesson) lesson = parse (text);
+
+  lesson_words_translate_by (lesson, break_out);
+  g_assert_cmpstr (lesson->prose, ==, "Some *prose*\non two lines.\n");
+}
+
+/* What is looked up for a lesson, and what is found in its file. */
+static GHashTable *asked;
+
+static const char *
+remember (const char *words)
+{
+  g_hash_table_add (asked, g_strdup (words));
+  return words;
+}
+
+static void
+expect_asked (const char *words, guint line, gpointer user)
+{
+  if (!g_hash_table_contains (asked, words))
+    g_error ("%s:%u: nobody looks up “%s”", (const char *)user, line, words);
+}
+
+static void
+forget (const char *words, guint line, gpointer user)
+{
+  (void)line;
+  (void)user;
+  g_hash_table_remove (asked, words);
+}
+
+/* Options that the program writes are words of its own. */
+static void
+forget_options_of_the_program (void)
+{
+  static const char *const options[]
+      = { "a lower facet", "an upper facet", "a vertical facet",
+          "lower facets",  "upper facets",   "vertical facets" };
+
+  for (guint i = 0; i < G_N_ELEMENTS (options); i++)
+    g_hash_table_remove (asked, options[i]);
+}
+
+static void
+test_what_is_found_in_lessons_is_what_is_looked_up (void)
+{
+  g_autoptr (GPtrArray) paths = locate_lesson_files ();
+
+  g_assert_cmpuint (paths->len, >, 10);
+  for (guint i = 0; i < paths->len; i++) {
+    char *path = g_ptr_array_index (paths, i);
+    g_autoptr (Lesson) lesson = lesson_load (path, NULL);
+
+    asked = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+    lesson_words_translate_by (lesson, remember);
+    g_assert_true (lesson_words_find (path, expect_asked, path, NULL));
+    g_assert_true (lesson_words_find (path, forget, NULL, NULL));
+    forget_options_of_the_program ();
+    g_assert_cmpuint (g_hash_table_size (asked), ==, 0);
+    g_hash_table_unref (asked);
+  }
+}
+
+/* A line of the text, from 1. */
+static char *
+line_of (guint number)
+{
+  g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
+
+  return g_strdup (lines[number - 1]);
+}
+
+static void
+expect_on_line (const char *words, guint line, gpointer user)
+{
+  g_autofree char *here = line_of (line);
+  g_autofree char *first = g_strndup (words, strcspn (words, " "));
+
+  *(guint *)user += 1;
+  if (strstr (here, first) == NULL)
+    g_error ("“%s” is not in line %u: %s", words, line, here);
+}
+
+static void
+test_words_are_found_in_their_lines (void)
+{
+  g_autofree char *folder = g_dir_make_tmp ("lesson-words-XXXXXX", NULL);
+  g_autofree char *path = g_build_filename (folder, "l.md", NULL);
+  guint n_found = 0;
+
+  g_assert_true (g_file_set_contents (path, text, -1, NULL));
+  g_assert_true (lesson_words_find (path, expect_on_line, &n_found, NULL));
+  g_assert_cmpuint (n_found, ==, 12);
+  g_assert_cmpint (g_remove (path), ==, 0);
+  g_assert_cmpint (g_rmdir (folder), ==, 0);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/lesson-words/every-word-of-a-lesson-is-translated",
+                   test_every_word_of_a_lesson_is_translated);
+  g_test_add_func ("/lesson-words/commands-are-no-words",
+                   test_commands_are_no_words);
+  g_test_add_func ("/lesson-words/a-lesson-in-no-catalog-keeps-its-words",
+                   test_a_lesson_in_no_catalog_keeps_its_words);
+  g_test_add_func ("/lesson-words/"
+                   "a-translation-that-is-no-paragraph-is-left-out",
+                   test_a_translation_that_is_no_paragraph_is_left_out);
+  g_test_add_func ("/lesson-words/"
+                   "what-is-found-in-lessons-is-what-is-looked-up",
+                   test_what_is_found_in_lessons_is_what_is_looked_up);
+  g_test_add_func ("/lesson-words/words-are-found-in-their-lines",
+                   test_words_are_found_in_their_lines);
+  return g_test_run ();
+}
