@@ -37,6 +37,7 @@ CliStatus cli_words (const CliCommand *command, int argc, char **argv);
 CliStatus cli_replay (const CliCommand *command, int argc, char **argv);
 CliStatus cli_export (const CliCommand *command, int argc, char **argv);
 CliStatus cli_storyboard (const CliCommand *command, int argc, char **argv);
+CliStatus cli_questions (const CliCommand *command, int argc, char **argv);
 CliStatus cli_actions (const CliCommand *command, int argc, char **argv);
 
 /* Reads the options of a command; what is left is in *@arguments (transfer

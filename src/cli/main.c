@@ -23,6 +23,9 @@ static const CliCommand commands[] = {
     cli_storyboard },
   { "words", "LESSON…", N_ ("Write what there is to translate in lessons"),
     cli_words },
+  { "questions", "LESSON…",
+    N_ ("Write the questions of lessons for Moodle (GIFT) or as QTI"),
+    cli_questions },
   { "actions", "", N_ ("List all actions by name"), cli_actions },
 };
 

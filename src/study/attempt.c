@@ -1,5 +1,6 @@
 #include "attempt.h"
 
+#include "number.h"
 #include "question-click.h"
 #include "question-reason.h"
 #include "question-search.h"
@@ -135,6 +136,46 @@ why (const Grading *grading,
   if (question->kind == QUESTION_CHOOSE)
     return reason_option (question, object.number, is_right);
   return question->click->why (question, grading->occasion, frame, object);
+}
+
+/* What was found for a law, or was not. */
+static char *
+reason_always (const Question *question, const Occasion *occasion)
+{
+  g_autoptr (Answer) answer = answer_new (question, occasion);
+  g_autoptr (GString) sites = g_string_new (NULL);
+
+  if (!answer->is_found)
+    return g_strdup (_ ("None of the sets that were tried makes it fail: "
+                        "random ones, grids, circles, lines."));
+  for (guint i = 0; i < answer->n_sites; i++) {
+    char x[NUMBER_ROOM], y[NUMBER_ROOM];
+
+    number_write (answer->sites[i].x, x);
+    number_write (answer->sites[i].y, y);
+    g_string_append_printf (sites, "%s(%s, %s)", i == 0 ? "" : ", ", x, y);
+  }
+  return g_strdup_printf (_ ("For these sites it fails: %s."), sites->str);
+}
+
+char *
+answer_reason (const Question *question,
+               const Occasion *occasion,
+               Object object,
+               gboolean is_right)
+{
+  const Grading grading = { NULL, NULL, question, occasion };
+  char *reason;
+  Frame frame;
+
+  if (question->kind == QUESTION_ALWAYS)
+    return reason_always (question, occasion);
+  if (question->kind != QUESTION_CHOOSE && question->kind != QUESTION_CLICK)
+    return NULL;
+  frame_init (&frame, occasion->trace, occasion->step);
+  reason = why (&grading, &frame, object, is_right);
+  frame_clear (&frame);
+  return reason;
 }
 
 /* A set of objects, or one of them where they tie. */

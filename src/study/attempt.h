@@ -51,6 +51,13 @@ Attempt *answer_model (const Question *question, const Occasion *occasion);
 /* Returns: (transfer full): an attempt that is wrong. */
 Attempt *answer_wrong (const Question *question, const Occasion *occasion);
 
+/* Returns: (transfer full): the reason why a single object is right, or is not,
+ *          as a verdict tells it; NULL where one object has none. */
+char *answer_reason (const Question *question,
+                     const Occasion *occasion,
+                     Object object,
+                     gboolean is_right);
+
 typedef struct Verdict {
   gboolean is_right;
   guint total, right, missing, wrong;

@@ -1,6 +1,7 @@
 #include "prose.h"
 
 #include <cmark.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Writes the tree as it is walked. */
@@ -197,4 +198,15 @@ char *
 prose_to_text (const char *commonmark)
 {
   return convert (commonmark, FALSE);
+}
+
+char *
+prose_to_html (const char *commonmark)
+{
+  char *html = cmark_markdown_to_html (commonmark, strlen (commonmark),
+                                       CMARK_OPT_DEFAULT);
+  char *copy = g_strdup (html);
+
+  free (html);
+  return copy;
 }

@@ -13,6 +13,9 @@ G_BEGIN_DECLS
  *          left out. */
 char *prose_to_markup (const char *commonmark);
 
+/* Returns: (transfer full): XHTML; raw HTML is left out. */
+char *prose_to_html (const char *commonmark);
+
 /* Returns: (transfer full): the words alone. */
 char *prose_to_text (const char *commonmark);
 
