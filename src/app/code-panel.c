@@ -1,10 +1,12 @@
 #include "code-panel.h"
 
 #include "pseudocode.h"
+#include "scroll-to.h"
 
 #include <glib/gi18n.h>
 
 #define INDENT_PX 16
+#define ROW_PX 22 /* about one line is seen above and below the current one */
 
 struct _CodePanel {
   GtkBox parent_instance;
@@ -52,6 +54,16 @@ add_line (CodePanel *panel, const PseudocodeLine *line)
   gtk_container_add (GTK_CONTAINER (panel->lines), row);
 }
 
+void
+code_panel_scroll (CodePanel *panel)
+{
+  GtkListBoxRow *row
+      = gtk_list_box_get_row_at_index (panel->lines, (int)panel->current);
+
+  if (row != NULL)
+    scroll_to (GTK_WIDGET (row), ROW_PX);
+}
+
 /* The listing of what is shown. */
 static void
 show_listing (CodePanel *panel)
@@ -85,6 +97,8 @@ update (CodePanel *panel)
   mark (panel, panel->current, FALSE);
   mark (panel, line, TRUE);
   panel->current = line;
+  if (line != INDEX_NONE)
+    code_panel_scroll (panel);
 }
 
 static void

@@ -13,6 +13,9 @@ G_DECLARE_FINAL_TYPE (CodePanel, code_panel, HULL2VD, CODE_PANEL, GtkBox)
 
 void code_panel_set_session (CodePanel *panel, Session *session);
 
+/* Brings the current line into view. */
+void code_panel_scroll (CodePanel *panel);
+
 G_END_DECLS
 
 #endif

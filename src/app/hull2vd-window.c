@@ -274,6 +274,7 @@ static void
 ensure_types (void)
 {
   g_type_ensure (COLUMNS_TYPE);
+  g_type_ensure (SIDE_COLUMN_TYPE);
   g_type_ensure (LESSON_PANEL_TYPE);
   g_type_ensure (CODE_PANEL_TYPE);
   g_type_ensure (COUNTERS_PANEL_TYPE);

@@ -9,82 +9,50 @@ struct _LessonPanel {
   GtkBox parent_instance;
   Session *session;
   GtkScrolledWindow *scroll;
+  GtkWidget *content; /* that scrolls */
   QuestionCard *card;
   GtkLabel *faults;
-  GtkTextView *text;
-  GtkTextTag *heading;
-  GtkTextTag *intro;
+  GtkLabel *intro, *title, *text;
 };
 
 G_DEFINE_TYPE (LessonPanel, lesson_panel, GTK_TYPE_BOX)
 
+/* Paragraphs with air between their lines. */
 static void
-add_heading (LessonPanel *panel, const char *title)
-{
-  GtkTextBuffer *buffer = gtk_text_view_get_buffer (panel->text);
-  GtkTextIter end;
-
-  gtk_text_buffer_get_end_iter (buffer, &end);
-  gtk_text_buffer_insert_with_tags (buffer, &end, title, -1, panel->heading,
-                                    NULL);
-  gtk_text_buffer_insert (buffer, &end, "\n", -1);
-}
-
-static void
-add_markup (LessonPanel *panel, const char *markup)
-{
-  GtkTextBuffer *buffer = gtk_text_view_get_buffer (panel->text);
-  GtkTextIter end;
-
-  gtk_text_buffer_get_end_iter (buffer, &end);
-  gtk_text_buffer_insert_markup (buffer, &end, markup, -1);
-}
-
-static void
-add_prose (LessonPanel *panel, const char *commonmark)
+set_prose (GtkLabel *label, const char *commonmark)
 {
   g_autofree char *markup = prose_to_markup (commonmark);
+  g_autofree char *airy
+      = g_strdup_printf ("<span line_height=\"1.2\">%s</span>", markup);
 
-  add_markup (panel, markup);
+  gtk_label_set_markup (label, airy);
+  gtk_widget_set_visible (GTK_WIDGET (label), *markup != '\0');
 }
 
 /* The words before the first stop introduce the lesson; they stand above it. */
-static void
-add_intro (LessonPanel *panel, const Lesson *lesson)
-{
-  GtkTextBuffer *buffer = gtk_text_view_get_buffer (panel->text);
-  GtkTextIter start, end;
-
-  if (lesson->prose == NULL || *lesson->prose == '\0')
-    return;
-  add_prose (panel, lesson->prose);
-  gtk_text_buffer_get_bounds (buffer, &start, &end);
-  gtk_text_buffer_apply_tag (buffer, panel->intro, &start, &end);
-  gtk_text_buffer_insert (buffer, &end, "\n\n", -1);
-}
-
 static void
 show_stop (LessonPanel *panel, const Lesson *lesson, guint index)
 {
   const LessonStop *stop = g_ptr_array_index (lesson->stops, index);
 
-  if (index == 0)
-    add_intro (panel, lesson);
-  add_heading (panel, stop->title);
-  add_prose (panel, stop->prose);
+  set_prose (panel->intro,
+             index == 0 && lesson->prose != NULL ? lesson->prose : "");
+  gtk_label_set_text (panel->title, stop->title);
+  set_prose (panel->text, stop->prose);
 }
 
 static void
 show_freedom (LessonPanel *panel)
 {
-  add_heading (panel, _ ("Your own sites"));
-  add_markup (
-      panel,
-      _ ("<b>Click</b> in the plane to add a site; inside a triangle, "
-         "<b>double-click</b>. <b>Drag</b> a site to move it: hull, triangles "
-         "and cells follow. <b>Right-click</b> for more, as coordinates.\n\n"
+  set_prose (panel->intro, "");
+  gtk_label_set_text (panel->title, _ ("Your own sites"));
+  set_prose (
+      panel->text,
+      _ ("**Click** in the plane to add a site; inside a triangle, "
+         "**double-click**. **Drag** a site to move it: hull, triangles "
+         "and cells follow. **Right-click** for more, as coordinates.\n\n"
          "Click a site, a triangle or a facet to see its counterparts in both "
-         "pictures, with <b>Shift</b> several sites. <b>Delete</b> removes "
+         "pictures, with **Shift** several sites. **Delete** removes "
          "them.\n\n"
          "Then step through QuickHull below, or open a lesson at the top."));
 }
@@ -95,7 +63,6 @@ update (LessonPanel *panel)
   Lesson *lesson = session_get_lesson (panel->session);
   const guint stop = session_get_stop (panel->session);
 
-  gtk_text_buffer_set_text (gtk_text_view_get_buffer (panel->text), "", 0);
   if (lesson != NULL && stop < lesson->stops->len)
     show_stop (panel, lesson, stop);
   else
@@ -144,6 +111,28 @@ lesson_panel_set_session (LessonPanel *panel, Session *session)
   update (panel);
 }
 
+/* As high as all that there is to read: scrolled windows would not tell. */
+static void
+lesson_panel_get_preferred_height_for_width (GtkWidget *widget,
+                                             int width,
+                                             int *minimum,
+                                             int *natural)
+{
+  LessonPanel *panel = HULL2VD_LESSON_PANEL (widget);
+  GtkWidget *bar = gtk_scrolled_window_get_vscrollbar (panel->scroll);
+  int bar_width, faults = 0, content;
+
+  GTK_WIDGET_CLASS (lesson_panel_parent_class)
+      ->get_preferred_height_for_width (widget, width, minimum, natural);
+  gtk_widget_get_preferred_width (bar, &bar_width, NULL);
+  gtk_widget_get_preferred_height_for_width (
+      panel->content, MAX (1, width - bar_width), NULL, &content);
+  if (gtk_widget_get_visible (GTK_WIDGET (panel->faults)))
+    gtk_widget_get_preferred_height_for_width (GTK_WIDGET (panel->faults),
+                                               width, NULL, &faults);
+  *natural = MAX (*minimum, content + faults);
+}
+
 static void
 lesson_panel_dispose (GObject *object)
 {
@@ -157,11 +146,16 @@ lesson_panel_class_init (LessonPanelClass *class)
   GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
 
   G_OBJECT_CLASS (class)->dispose = lesson_panel_dispose;
+  widget_class->get_preferred_height_for_width
+      = lesson_panel_get_preferred_height_for_width;
   g_type_ensure (QUESTION_CARD_TYPE);
   gtk_widget_class_set_template_from_resource (
       widget_class, "/io/github/hull2vd/Hull2VD/lesson-panel.ui");
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel, intro);
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel, title);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, text);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, scroll);
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel, content);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, card);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, faults);
 }
@@ -169,13 +163,5 @@ lesson_panel_class_init (LessonPanelClass *class)
 static void
 lesson_panel_init (LessonPanel *panel)
 {
-  GtkTextBuffer *buffer;
-
   gtk_widget_init_template (GTK_WIDGET (panel));
-  buffer = gtk_text_view_get_buffer (panel->text);
-  panel->heading = gtk_text_buffer_create_tag (buffer, NULL, "weight",
-                                               PANGO_WEIGHT_BOLD, "scale", 1.3,
-                                               "pixels-below-lines", 8, NULL);
-  panel->intro = gtk_text_buffer_create_tag (buffer, NULL, "style",
-                                             PANGO_STYLE_ITALIC, NULL);
 }

@@ -2,6 +2,7 @@
 
 #include "answer-list.h"
 #include "prose.h"
+#include "scroll-to.h"
 
 #include <glib/gi18n.h>
 
@@ -11,8 +12,11 @@ struct _QuestionCard {
   const Exercise *exercise; /* that is shown; borrowed, to compare */
   GtkLabel *prompt, *instruction, *hints, *verdict, *reasons;
   AnswerList *answers;
-  GtkWidget *check, *hint, *undo, *show, *go_on, *retry, *another;
+  GtkWidget *buttons, *check, *hint, *undo, *show, *go_on, *retry, *another;
 };
+
+/* Of the card itself, below its buttons. */
+#define BUTTONS_MARGIN 30
 
 G_DEFINE_TYPE (QuestionCard, question_card, GTK_TYPE_BOX)
 
@@ -153,6 +157,8 @@ show_question (QuestionCard *card)
 static void
 update (QuestionCard *card)
 {
+  const Exercise *shown = card->exercise;
+
   card->exercise = session_get_exercise (card->session);
   gtk_widget_set_visible (GTK_WIDGET (card), card->exercise != NULL);
   answer_list_show (card->answers, card->exercise);
@@ -164,6 +170,9 @@ update (QuestionCard *card)
   show_buttons (card);
   gtk_widget_set_visible (GTK_WIDGET (card->instruction),
                           card->exercise->is_open);
+  /* Whoever has pressed one wants to see what came of it. */
+  if (card->exercise == shown)
+    scroll_to (card->buttons, BUTTONS_MARGIN);
 }
 
 static void
@@ -210,6 +219,7 @@ question_card_class_init (QuestionCardClass *class)
   BIND (hints);
   BIND (verdict);
   BIND (reasons);
+  BIND (buttons);
   BIND (check);
   BIND (hint);
   BIND (undo);

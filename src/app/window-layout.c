@@ -192,6 +192,20 @@ window_layout_save (Hull2vdWindow *window)
                        (int)session_get_step_size (window->session));
 }
 
+/* The tabs have another height for each stop: as much as its text leaves. */
+static void
+follow_line (Hull2vdWindow *window)
+{
+  GtkWidget *scroll = gtk_widget_get_ancestor (GTK_WIDGET (window->stack),
+                                               GTK_TYPE_SCROLLED_WINDOW);
+  GtkAdjustment *adjustment
+      = gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (scroll));
+
+  g_signal_connect_object (adjustment, "notify::page-size",
+                           G_CALLBACK (code_panel_scroll), window->code_panel,
+                           G_CONNECT_SWAPPED);
+}
+
 void
 window_layout_init (Hull2vdWindow *window)
 {
@@ -199,6 +213,7 @@ window_layout_init (Hull2vdWindow *window)
   g_signal_connect (window->columns, "fold", G_CALLBACK (on_fold), window);
   restore (window);
   update_columns (window);
+  follow_line (window);
   g_signal_connect (window->view_paned, "size-allocate",
                     G_CALLBACK (on_views_allocated), window);
 }

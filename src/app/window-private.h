@@ -13,6 +13,7 @@
 #include "lesson-watch.h"
 #include "narration-bar.h"
 #include "plane-view.h"
+#include "side-column.h"
 #include "space-view.h"
 #include "transport.h"
 #include "work-bar.h"

@@ -183,6 +183,14 @@ class Program:
     def point(self, x, y):
         xdotool("mousemove", x, y)
 
+    def resize(self, width, height):
+        """Gives all its windows this size."""
+        windows = subprocess.run(
+            ["xdotool", "search", "--onlyvisible", "--class", "hull2vd"],
+            check=True, capture_output=True, text=True).stdout.split()
+        for window in windows:
+            xdotool("windowsize", window, width, height)
+
     def click(self, x, y, button=1):
         xdotool("mousemove", x, y, "click", button)
 
