@@ -150,7 +150,8 @@ hand_over_one (const HullBuilder *b, const View *view, uint32_t site)
     for (; seen != 0; seen &= seen - 1) {
       const uint32_t lane = (uint32_t)__builtin_ctz (seen), i = first + lane;
 
-      if (front[lane] > doubt || sees_exactly (b, site, i)) {
+      if ((front[lane] > doubt || sees_exactly (b, site, i))
+          && hull_may_claim (b, site, hull_cone_facet (b, i))) {
         claim (b, view, site, i, (Rounded){ front[lane], doubt });
         return true;
       }

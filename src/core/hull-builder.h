@@ -10,6 +10,7 @@
 #ifndef HULL_BUILDER_H
 #define HULL_BUILDER_H
 
+#include "choice.h"
 #include "cone.h"
 #include "event.h"
 #include "hull-mesh.h"
@@ -57,9 +58,10 @@ typedef struct QueueEntry {
 typedef struct HullBuilder {
   const Site *sites;
   uint32_t n_sites;
-  const uint32_t *first; /* of a SiteSet; NULL: duplicates are found and
-                            dropped on the way */
-  const HullHook *hook;  /* never looked at in the batch build */
+  const uint32_t *first;      /* of a SiteSet; NULL: duplicates are found and
+                                 dropped on the way */
+  const HullHook *hook;       /* never looked at in the batch build */
+  const HullChoices *choices; /* nor are these; NULL: none */
 
   HullFacet *facets;
   uint32_t n_facets, facets_room;
@@ -213,6 +215,24 @@ hull_tell (const HullBuilder *b, Event event)
 #else
   if (b->hook != NULL)
     b->hook->on_event (&event, b->hook->user);
+#endif
+}
+
+/* Whether a site waits at a facet that it sees: at the first one, unless it
+ * was chosen otherwise. */
+static inline bool
+hull_may_claim (const HullBuilder *b, uint32_t site, uint32_t facet)
+{
+#ifdef HULL_BATCH
+  (void)b;
+  (void)site;
+  (void)facet;
+  return true;
+#else
+  const HullChoice *choice
+      = hull_choices_find (b->choices, EVENT_CLAIM, b->round, site);
+
+  return choice == NULL || choice->facet == facet;
 #endif
 }
 

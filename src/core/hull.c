@@ -123,14 +123,19 @@ run (HullBuilder *b)
   return hull_run (b);
 }
 
-void
-hull_build (const SiteSet *set, const Order *order, const HullHook *hook)
+/* From the first event to the last. */
+static void
+build (const SiteSet *set,
+       const Order *order,
+       const HullChoices *choices,
+       const HullHook *hook)
 {
   OrderList list = order_list (order, set->sites, set->n_sites);
   HullBuilder b = { .sites = set->sites,
                     .n_sites = set->n_sites,
                     .first = set->first,
                     .hook = hook,
+                    .choices = choices,
                     .n_young_max = UINT32_MAX,
                     .list = list.sites,
                     .n_listed = list.n_listed };
@@ -142,6 +147,20 @@ hull_build (const SiteSet *set, const Order *order, const HullHook *hook)
   hull_clear (&b);
   free (b.facets);
   free (list.sites);
+}
+
+void
+hull_build (const SiteSet *set, const Order *order, const HullHook *hook)
+{
+  build (set, order, NULL, hook);
+}
+
+void
+hull_build_chosen (const SiteSet *set,
+                   const HullChoices *choices,
+                   const HullHook *hook)
+{
+  build (set, &(Order){ ORDER_FURTHEST, 0 }, choices, hook);
 }
 
 #endif

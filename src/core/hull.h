@@ -7,6 +7,7 @@
 #ifndef HULL_H
 #define HULL_H
 
+#include "choice.h"
 #include "event.h"
 #include "order.h"
 
@@ -16,5 +17,11 @@
  * site after them whose lift is not coplanar with theirs.
  */
 void hull_build (const SiteSet *set, const Order *order, const HullHook *hook);
+
+/* The same in ORDER_FURTHEST, where somebody else has chosen. A choice that
+ * QuickHull may not make is a mistake of the programmer. */
+void hull_build_chosen (const SiteSet *set,
+                        const HullChoices *choices,
+                        const HullHook *hook);
 
 #endif

@@ -89,7 +89,8 @@ partition_over_simplex (HullBuilder *b)
         || is_simplex_site (b, site))
       continue;
     facet = 0;
-    while (facet < 4 && !hull_sees (b, site, facet))
+    while (facet < 4
+           && !(hull_sees (b, site, facet) && hull_may_claim (b, site, facet)))
       facet++;
     assert (facet < 4 || b->first == NULL);
     if (facet < 4)
@@ -191,11 +192,49 @@ facet_of_next_listed (HullBuilder *b)
   return INDEX_NONE;
 }
 
+/* What was chosen for the next round, or NULL. */
+static const HullChoice *
+chosen (const HullBuilder *b)
+{
+#ifdef HULL_BATCH
+  (void)b;
+  return NULL;
+#else
+  return hull_choices_find (b->choices, EVENT_SELECT, b->round + 1, INDEX_NONE);
+#endif
+}
+
+static bool
+is_outside (const HullBuilder *b, uint32_t facet, uint32_t site)
+{
+  uint32_t at = b->facets[facet].outside;
+
+  while (at != b->n_sites && at != site)
+    at = b->next_outside[at];
+  return at == site;
+}
+
+/* The facet that was chosen, or INDEX_NONE. */
+static uint32_t
+chosen_facet (const HullBuilder *b)
+{
+  const HullChoice *choice = chosen (b);
+
+  if (choice == NULL)
+    return INDEX_NONE;
+  assert (choice->facet < b->n_facets
+          && b->facets[choice->facet].outside != INDEX_NONE);
+  return choice->facet;
+}
+
 uint32_t
 outside_next_facet (HullBuilder *b)
 {
-  const uint32_t facet = facet_of_next_listed (b);
+  uint32_t facet = chosen_facet (b);
 
+  if (facet != INDEX_NONE)
+    return facet;
+  facet = facet_of_next_listed (b);
   if (facet != INDEX_NONE)
     return facet;
   if (b->walks && b->n_listed < b->n_sites) {
@@ -210,13 +249,25 @@ outside_next_facet (HullBuilder *b)
   return oldest_facet (b);
 }
 
+/* The site of the facet that comes next. */
+static uint32_t
+next_site (HullBuilder *b, uint32_t facet)
+{
+  const HullChoice *choice = chosen (b);
+
+  if (choice != NULL && choice->site != INDEX_NONE) {
+    assert (is_outside (b, facet, choice->site));
+    return choice->site;
+  }
+  return b->list_position < b->n_listed ? listed (b, b->list_position++)
+                                        : b->facets[facet].outside;
+}
+
 /* Takes the next site from the facet's outside set and begins a round. */
 uint32_t
 outside_select (HullBuilder *b, uint32_t facet)
 {
-  const uint32_t apex = b->list_position < b->n_listed
-                            ? listed (b, b->list_position++)
-                            : b->facets[facet].outside;
+  const uint32_t apex = next_site (b, facet);
 
   b->round += 1;
   if (b->claimed_by != NULL)

@@ -14,6 +14,17 @@ trace_record (const SiteSet *set, const Order *order)
   return trace_recorder_finish (recorder);
 }
 
+Trace *
+trace_record_chosen (const SiteSet *set, const HullChoices *choices)
+{
+  const Order order = { ORDER_FURTHEST, 0 };
+  TraceRecorder *recorder = trace_recorder_new (set, &order);
+  const HullHook hook = { trace_recorder_hook, recorder };
+
+  hull_build_chosen (set, choices, &hook);
+  return trace_recorder_finish (recorder);
+}
+
 void
 trace_free (Trace *trace)
 {

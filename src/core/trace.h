@@ -78,6 +78,9 @@ typedef struct Trace {
  *
  * Owns: the caller frees with trace_free(). */
 Trace *trace_record (const SiteSet *set, const Order *order);
+
+/* The same of hull_build_chosen(). */
+Trace *trace_record_chosen (const SiteSet *set, const HullChoices *choices);
 void trace_free (Trace *trace);
 
 /* Returns: whether the row with @span is shown at @step. */
