@@ -122,11 +122,33 @@ static const Row questions[] = {
     "l.md:15:1: a second question in this stop; the first is in line 10" },
   { LECTURE "## S\n\n> ```ask\n> complete\n> ```\n",
     "l.md:10:1: a ask block stands by itself" },
+  { ASK ("start\nperform"), "l.md:12:8: how many insertions?" },
+  { ASK ("start\nperform 0"), "l.md:12:9: how many insertions?" },
+  { ASK ("start\nperform 21"), "l.md:12:9: how many insertions?" },
+  { ASK ("start\nperform 5"),
+    "l.md:10:1: there are only 4 insertions to perform here" },
+  { ASK ("round 3\nperform 2"),
+    "l.md:10:1: there is only 1 insertion to perform here" },
+  { ASK ("before round 1 see\nperform 1"),
+    "l.md:10:1: a performance begins before a round" },
+  { ASK ("start\nperform 1\nfresh grid 3 3"),
+    "l.md:13:7: these sites are always the same" },
+  { ASK ("start\nperform 1\nfresh randm 7 seed 1"),
+    "l.md:13:7: “randm” makes no sites (did you mean “random”?)" },
+  { ASK ("start\nperform 1\nfresh random 201 seed 1"),
+    "l.md:13:7: more than 200 sites" },
+  { ASK ("start\nclick horizon\nfresh random 7 seed 1"),
+    "l.md:10:1: fresh sites belong to perform" },
+  { ASK ("start\nperform 1\nhint x"),
+    "l.md:10:1: a performance asks and helps by itself" },
   { NULL, NULL },
 };
 
 /* What the lesson has shown it must not ask any more. */
 static const Row leaks[] = {
+  { LECTURE "## S\n\n```steps\ngoto round 1\n```\n\n## T\n\n"
+            "```ask\nstart\nperform 1\n```\n",
+    "l.md:16:1: this gives the answer away" },
   { ASK ("before round 1 cone\nclick visible-facets"),
     "l.md:10:1: this gives the answer away: it is shown already; ask before "
     "round 1 see" },

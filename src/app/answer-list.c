@@ -151,6 +151,7 @@ add_rows (AnswerList *list)
     add_chosen (list);
     break;
   case QUESTION_DRAG:
+  case QUESTION_PERFORM:
     break;
   }
 }

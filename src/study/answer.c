@@ -137,6 +137,17 @@ answer_always (Answer *answer,
   add (answer->objects, OBJECT_NONE, answer->is_found ? 1 : 0);
 }
 
+/* What is right is up to its tasks. */
+static void
+answer_nothing (Answer *answer,
+                const Question *question,
+                const Occasion *occasion)
+{
+  (void)answer;
+  (void)question;
+  (void)occasion;
+}
+
 Answer *
 answer_new (const Question *question, const Occasion *occasion)
 {
@@ -149,6 +160,7 @@ answer_new (const Question *question, const Occasion *occasion)
           [QUESTION_ORDER] = answer_order,
           [QUESTION_DRAG] = answer_drag,
           [QUESTION_ALWAYS] = answer_always,
+          [QUESTION_PERFORM] = answer_nothing,
         };
   Answer *answer = g_new0 (Answer, 1);
 

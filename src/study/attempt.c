@@ -89,6 +89,16 @@ attempt_toggle (Attempt *attempt, const Question *question, Object object)
 
 /* Grading */
 
+Verdict *
+verdict_new (void)
+{
+  Verdict *verdict = g_new0 (Verdict, 1);
+
+  verdict->reasons = g_ptr_array_new_with_free_func (g_free);
+  verdict->missed = g_ptr_array_new_with_free_func (g_free);
+  return verdict;
+}
+
 void
 verdict_free (Verdict *verdict)
 {
@@ -378,21 +388,28 @@ grade_always (Grading *grading)
   }
 }
 
+/* A performance is graded by its tasks. */
+static void
+grade_nothing (Grading *grading)
+{
+  grading->verdict->total = 1;
+  grading->verdict->missing = 1;
+}
+
 Verdict *
 attempt_grade (const Attempt *attempt,
                const Question *question,
                const Occasion *occasion)
 {
   static void (*const grade[]) (Grading * grading) = {
-    [QUESTION_CHOOSE] = grade_objects, [QUESTION_NUMBERS] = grade_numbers,
-    [QUESTION_CLICK] = grade_objects,  [QUESTION_ORDER] = grade_order,
-    [QUESTION_DRAG] = grade_drag,      [QUESTION_ALWAYS] = grade_always,
+    [QUESTION_CHOOSE] = grade_objects,  [QUESTION_NUMBERS] = grade_numbers,
+    [QUESTION_CLICK] = grade_objects,   [QUESTION_ORDER] = grade_order,
+    [QUESTION_DRAG] = grade_drag,       [QUESTION_ALWAYS] = grade_always,
+    [QUESTION_PERFORM] = grade_nothing,
   };
-  Verdict *verdict = g_new0 (Verdict, 1);
+  Verdict *verdict = verdict_new ();
   Grading grading = { verdict, attempt, question, occasion };
 
-  verdict->reasons = g_ptr_array_new_with_free_func (g_free);
-  verdict->missed = g_ptr_array_new_with_free_func (g_free);
   grade[question->kind](&grading);
   verdict->is_right = verdict->right == verdict->total && verdict->wrong == 0
                       && verdict->missing == 0;

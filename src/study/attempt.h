@@ -69,6 +69,7 @@ typedef struct Verdict {
 Verdict *attempt_grade (const Attempt *attempt,
                         const Question *question,
                         const Occasion *occasion);
+Verdict *verdict_new (void); /* nothing is right yet */
 void verdict_free (Verdict *verdict);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (Verdict, verdict_free)
 

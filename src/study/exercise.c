@@ -1,6 +1,20 @@
 #include "exercise.h"
 
+#include "performance.h"
+
 #define MAX_UNDO 200
+
+static void
+begin_performance (Exercise *exercise)
+{
+  const Question *question = exercise->question;
+
+  g_clear_pointer (&exercise->performance, performance_free);
+  if (question->kind == QUESTION_PERFORM)
+    exercise->performance
+        = performance_new (exercise->run, &exercise->occasion,
+                           (guint)question->n_insertions, question->n_retries);
+}
 
 Exercise *
 exercise_new (Question *question, Run *run, const Occasion *occasion)
@@ -14,6 +28,7 @@ exercise_new (Question *question, Run *run, const Occasion *occasion)
   exercise->undo
       = g_ptr_array_new_with_free_func ((GDestroyNotify)attempt_free);
   exercise->is_open = TRUE;
+  begin_performance (exercise);
   return exercise;
 }
 
@@ -25,6 +40,7 @@ exercise_free (Exercise *exercise)
   attempt_free (exercise->attempt);
   g_ptr_array_unref (exercise->undo);
   g_clear_pointer (&exercise->verdict, verdict_free);
+  g_clear_pointer (&exercise->performance, performance_free);
   g_free (exercise);
 }
 
@@ -189,4 +205,26 @@ exercise_retry (Exercise *exercise)
   g_ptr_array_set_size (exercise->undo, 0);
   forget_verdict (exercise);
   exercise->is_open = TRUE;
+  begin_performance (exercise);
+}
+
+void
+exercise_finish (Exercise *exercise)
+{
+  const PerformanceScore score = performance_score (exercise->performance);
+
+  if (!exercise->is_open || !exercise->performance->is_over)
+    return;
+  forget_verdict (exercise);
+  exercise->verdict = verdict_new ();
+  exercise->verdict->total = score.total;
+  exercise->verdict->right = score.correct;
+  exercise->verdict->missing = score.total - score.correct;
+  exercise->verdict->is_right = score.correct == score.total;
+  exercise->n_hints = score.hinted;
+  exercise->n_undone = score.undone;
+  exercise->n_checks += 1;
+  if (exercise->n_checks == 1)
+    exercise->was_right_at_once = exercise->verdict->is_right;
+  exercise->is_open = FALSE;
 }

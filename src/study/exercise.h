@@ -7,6 +7,8 @@
 
 G_BEGIN_DECLS
 
+typedef struct Performance Performance; /* performance.h */
+
 typedef struct Exercise {
   Question *question;
   Run *run; /* where it is asked */
@@ -18,7 +20,8 @@ typedef struct Exercise {
   gboolean is_open;  /* the answer is not shown yet */
   gboolean is_shown; /* it was shown, not found */
   Verdict *verdict;  /* of the last check; NULL: none yet, or changed since */
-  guint n_undone;    /* steps taken back */
+  Performance *performance;   /* QUESTION_PERFORM: its tasks; else NULL */
+  guint n_undone;             /* steps taken back */
   gboolean was_right_at_once; /* the first check found nothing wrong */
 } Exercise;
 
@@ -43,6 +46,9 @@ gboolean exercise_check (Exercise *exercise);
 
 /* Shows the answer without a check. */
 void exercise_reveal (Exercise *exercise);
+
+/* Closes QUESTION_PERFORM with the score of its tasks, once these are over. */
+void exercise_finish (Exercise *exercise);
 
 /* Begins anew: the score of the first time stays. */
 void exercise_retry (Exercise *exercise);

@@ -163,19 +163,6 @@ COLLECT (collect_with_outside_set)
       add (objects, OBJECT_FACET, occasion->trace->claims[i].facet);
 }
 
-COLLECT (collect_hand_over)
-{
-  const RoundRow *round = round_at (occasion);
-  const guint site = question->argument.number;
-  gboolean is_orphan = FALSE;
-
-  for (guint i = round->last_retire; i < round->end; i++)
-    is_orphan = is_orphan || occasion->trace->events[i].site == site;
-  for (guint i = round->first_cone - 1; is_orphan && i < round->last_cone; i++)
-    if (question_sees (occasion->trace, site, occasion->trace->events[i].facet))
-      add (objects, OBJECT_FACET, occasion->trace->events[i].facet);
-}
-
 /* Who sees what */
 
 COLLECT (collect_sites_that_see)
@@ -195,6 +182,35 @@ COLLECT (collect_seen_by)
         && question_sees (occasion->trace, question->argument.number,
                           frame->facets[i].facet))
       add (objects, OBJECT_FACET, frame->facets[i].facet);
+}
+
+/* Handing over: in a round to the cone, before the first to the simplex. */
+
+static gboolean
+is_orphan (const Occasion *occasion, guint site)
+{
+  const RoundRow *round = round_at (occasion);
+
+  for (guint i = round->last_retire; i < round->end; i++)
+    if (occasion->trace->events[i].site == site)
+      return TRUE;
+  return FALSE;
+}
+
+COLLECT (collect_hand_over)
+{
+  const RoundRow *round = round_at (occasion);
+  const guint site = question->argument.number;
+
+  if (round == NULL) {
+    collect_seen_by (question, occasion, frame, objects);
+    return;
+  }
+  if (!is_orphan (occasion, site))
+    return;
+  for (guint i = round->first_cone - 1; i < round->last_cone; i++)
+    if (question_sees (occasion->trace, site, occasion->trace->events[i].facet))
+      add (objects, OBJECT_FACET, occasion->trace->events[i].facet);
 }
 
 /* The hull and the diagrams */
@@ -359,7 +375,7 @@ static const ClickKind kinds[] = {
     .prompt = N_ ("The facet at which {a} waits will retire. Click a new "
                   "facet to which **{a} may be handed over**."),
     .collect = collect_hand_over,
-    .why = reason_argument_sees },
+    .why = reason_hand_over },
   { .name = "outside-set",
     .argument = 'f',
     .target = OBJECT_SITE,

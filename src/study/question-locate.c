@@ -334,6 +334,57 @@ locate_always (Locating *locating)
   return check_few_sites (locating);
 }
 
+/* Performances */
+
+/* A performance begins where a round, or the first partition, does. */
+static gboolean
+find_begin (Locating *locating)
+{
+  Occasion *occasion = locating->occasion;
+  const Trace *trace = occasion->trace;
+
+  if (occasion->step == 0)
+    occasion->step = trace->simplex_end;
+  return occasion->step == trace->simplex_end
+         || occasion->step == trace->start_end
+         || (occasion->round > 1 && occasion->round <= trace->n_rounds
+             && occasion->step == trace->rounds[occasion->round - 2].end)
+         || refuse (locating->error,
+                    _ ("a performance begins before a round: write start, "
+                       "simplex or round R"));
+}
+
+static gboolean
+locate_perform (Locating *locating)
+{
+  Occasion *occasion = locating->occasion;
+  const Trace *trace = occasion->trace;
+  const guint wanted = (guint)locating->question->n_insertions;
+  guint there;
+
+  if (!check_few_sites (locating))
+    return FALSE;
+  if (trace->is_flat)
+    return refuse (
+        locating->error,
+        _ ("these sites have no first simplex: nothing is inserted"));
+  if (trace->order.kind != ORDER_FURTHEST)
+    return refuse (locating->error,
+                   _ ("this question is about QuickHull: write order furthest "
+                      "before it"));
+  there = trace->n_rounds + 1 - occasion->round;
+  if (wanted > there)
+    return refuse (locating->error,
+                   ngettext ("there is only %u insertion to perform here",
+                             "there are only %u insertions to perform here",
+                             there),
+                   there);
+  if (!find_begin (locating))
+    return FALSE;
+  occasion->reveal = trace->rounds[occasion->round + wanted - 2].end;
+  return TRUE;
+}
+
 gboolean
 question_locate (const Question *question,
                  const Trace *trace,
@@ -341,9 +392,10 @@ question_locate (const Question *question,
                  GError **error)
 {
   static gboolean (*const locate[]) (Locating * locating) = {
-    [QUESTION_CHOOSE] = locate_choose, [QUESTION_NUMBERS] = locate_numbers,
-    [QUESTION_CLICK] = locate_click,   [QUESTION_ORDER] = locate_order,
-    [QUESTION_DRAG] = locate_drag,     [QUESTION_ALWAYS] = locate_always,
+    [QUESTION_CHOOSE] = locate_choose,   [QUESTION_NUMBERS] = locate_numbers,
+    [QUESTION_CLICK] = locate_click,     [QUESTION_ORDER] = locate_order,
+    [QUESTION_DRAG] = locate_drag,       [QUESTION_ALWAYS] = locate_always,
+    [QUESTION_PERFORM] = locate_perform,
   };
   Locating locating = {
     .question = question, .occasion = occasion, .error = error, .is_good = TRUE

@@ -1,4 +1,5 @@
 /* Reads ask blocks. */
+#include "fresh-sites.h"
 #include "lesson.h"
 #include "object-name.h"
 #include "position.h"
@@ -53,11 +54,10 @@ begin_kind (Reader *reader, QuestionKind kind)
 }
 
 static gboolean
-read_position (Reader *reader, const char *rest)
+read_position (Reader *reader, const char *rest G_GNUC_UNUSED)
 {
   g_autoptr (GError) reason = NULL;
 
-  (void)rest;
   if (reader->has_position)
     return blame (reader, reader->line->text,
                   _ ("a second position; a question is asked once"));
@@ -346,6 +346,31 @@ read_generate (Reader *reader, const char *rest)
   }
 }
 
+/* Performances */
+
+static gboolean
+read_perform (Reader *reader, const char *rest)
+{
+  guint64 *n = &reader->question->n_insertions;
+
+  if (!begin_kind (reader, QUESTION_PERFORM))
+    return FALSE;
+  return (words_parse_number (rest, QUESTION_MAX_INSERTIONS, n) && *n > 0)
+         || blame (reader, rest, _ ("how many insertions? write perform 3"));
+}
+
+static gboolean
+read_fresh (Reader *reader, const char *rest)
+{
+  g_autoptr (GError) reason = NULL;
+  gsize fault = 0;
+
+  g_clear_pointer (&reader->question->fresh, g_free);
+  return fresh_sites_parse (rest, &reader->question->fresh,
+                            &reader->question->seed, &fault, &reason)
+         || blame (reader, rest + fault, "%s", reason->message);
+}
+
 /* What helps */
 
 static gboolean
@@ -397,6 +422,7 @@ static const struct {
   { "drag", read_drag },         { "always", read_always },
   { "generate", read_generate }, { "prompt", read_prompt },
   { "hint", read_hint },         { "retry", read_retry },
+  { "perform", read_perform },   { "fresh", read_fresh },
 };
 
 static gboolean
@@ -437,11 +463,16 @@ find_missing (const Reader *reader)
               "position");
   if (!reader->has_kind)
     return _ ("what is asked? write click, number, delta, choose, which-kind, "
-              "order, drag, always or generate");
+              "order, drag, always, generate or perform");
   if (question->kind == QUESTION_CHOOSE && question->options->len < 2)
     return _ ("there must be two options at least: option TEXT if CONDITION");
   if (question->kind != QUESTION_CHOOSE && question->options->len > 0)
     return _ ("options belong to choose one or choose several");
+  if (question->kind != QUESTION_PERFORM && question->fresh != NULL)
+    return _ ("fresh sites belong to perform");
+  if (question->kind == QUESTION_PERFORM
+      && (question->prompt != NULL || question->hints->len > 0))
+    return _ ("a performance asks and helps by itself: no prompt and no hint");
   return NULL;
 }
 

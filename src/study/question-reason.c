@@ -125,6 +125,22 @@ REASON (reason_argument_sees)
                         object.number);
 }
 
+/* Sites are handed over to facets that have just been born. */
+REASON (reason_hand_over)
+{
+  const FacetRow *row = &occasion->trace->facets[object.number];
+  const guint site = question->argument.number;
+
+  if (row->round == occasion->round)
+    return sees_sentence (occasion->trace, site, object.number);
+  return g_strdup_printf (
+      row->seen <= occasion->step
+          ? _ ("s%u cannot be handed over to f%u: it is visible and will "
+               "retire.")
+          : _ ("s%u is not handed over to f%u: it is no facet of the cone."),
+      site, object.number);
+}
+
 REASON (reason_circle)
 {
   const guint site = occasion_round (occasion)->site;

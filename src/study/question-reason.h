@@ -22,6 +22,7 @@ REASON (reason_outside_set);  /* a facet */
 REASON (reason_member);       /* a site of the argument's outside set */
 REASON (reason_sees_argument); /* a site, the argument a facet */
 REASON (reason_argument_sees); /* a facet, the argument a site */
+REASON (reason_hand_over);     /* a facet, the argument a site */
 REASON (reason_unbounded);
 REASON (reason_corner);
 REASON (reason_neighbour);

@@ -49,6 +49,7 @@ question_unref (Question *question)
   g_array_unref (question->quantities);
   g_clear_pointer (&question->condition, condition_free);
   g_free (question->generate);
+  g_free (question->fresh);
   g_free (question);
 }
 
@@ -143,6 +144,8 @@ template_of (const Question *question)
   case QUESTION_DRAG:
   case QUESTION_ALWAYS:
     break;
+  case QUESTION_PERFORM:
+    return _ ("**You be QuickHull.** Do what the algorithm does.");
   }
   return "";
 }
@@ -183,6 +186,8 @@ question_instruction (const Question *question)
                         "keep to a grid, so that ties can be hit."));
   case QUESTION_ALWAYS:
     return g_strdup (_ ("If it is not true, drag sites until it fails."));
+  case QUESTION_PERFORM:
+    return g_strdup (_ ("Every move that QuickHull may make is right."));
   }
   return NULL;
 }

@@ -21,6 +21,7 @@ typedef enum QuestionKind {
   QUESTION_ORDER,   /* things one after the other */
   QUESTION_DRAG,    /* move a site until a condition holds */
   QUESTION_ALWAYS,  /* does a condition hold for every set of sites? */
+  QUESTION_PERFORM, /* do what QuickHull does: performance.h */
 } QuestionKind;
 
 /* An option of QUESTION_CHOOSE; the trace decides whether it is right. */
@@ -57,13 +58,17 @@ typedef struct Question {
   Condition *condition;
   char *generate; /* the kind, when a seed makes the question; else NULL */
   guint64 seed;
+  guint64 n_insertions; /* to be performed */
+  char *fresh;          /* where other sites to perform on come from, a source
+                           with a seed, without the latter: "random 7"; or NULL */
 } Question;
 
 #define QUESTION_MAX_OPTIONS 12
 #define QUESTION_MAX_NUMBERS 8
 #define QUESTION_MAX_HINTS 8
 #define QUESTION_MAX_RETRIES 20
-#define QUESTION_MAX_SITES 200 /* of drags, orders and "always" */
+#define QUESTION_MAX_SITES 200 /* of drags, orders, "always", performances */
+#define QUESTION_MAX_INSERTIONS 20
 
 Question *question_new (void);
 Question *question_ref (Question *question);

@@ -29,6 +29,17 @@ run_new (const Site *sites, guint n_sites, const Order *order)
   return put_together (set, trace_record (set, order));
 }
 
+Run *
+run_new_chosen (const Run *like, const HullChoices *choices)
+{
+  g_autofree Site *sites = run_given (like);
+  SiteSet *set = site_set_new (sites, like->set->n_sites);
+  Run *run = put_together (set, trace_record_chosen (set, choices));
+
+  run_inherit_hues (run, like);
+  return run;
+}
+
 /* A recorder that is looked at. */
 typedef struct Watched {
   TraceRecorder *recorder;

@@ -20,6 +20,10 @@ typedef struct Run {
  *          scaling fits them. */
 Run *run_new (const Site *sites, guint n_sites, const Order *order);
 
+/* Returns: (transfer full): the run of the same sites, in the same hues, where
+ *          somebody has chosen what QuickHull leaves open. */
+Run *run_new_chosen (const Run *like, const HullChoices *choices);
+
 /* What a thread tells of a run that it makes, and is told: atomic. */
 typedef struct RunWatch {
   gint n_done;       /* sites so far */

@@ -9,8 +9,10 @@
 gboolean
 session_can_another (Session *session)
 {
-  const Exercise *exercise = session_get_exercise (session);
+  const Exercise *exercise = session_question_whole (session);
 
+  if (exercise != NULL && exercise->performance != NULL)
+    return session_can_perform_another (session);
   return exercise != NULL && !exercise->is_open
          && question_generator_of (exercise->question) != NULL;
 }
@@ -58,6 +60,8 @@ session_another (Session *session)
 
   if (!session_can_another (session))
     return FALSE;
+  if (session_get_performance (session) != NULL)
+    return session_perform_another (session);
   kind = question_generator_of (exercise->question);
   for (guint i = 0; another == NULL && i < MOST_SEEDS; i++)
     another = make_another (exercise, kind, ++session->another_seed);

@@ -108,7 +108,7 @@ is_run_of_lesson (Session *session)
         || (stop->ask_state != NULL && session->run == stop->ask_state->run))
       return TRUE;
   }
-  return session->another != NULL && session->run == session->another->run;
+  return session_question_owns_run (session, session->run);
 }
 
 /* Goes to a state; a person's sites that it replaces can be had back. */
@@ -153,6 +153,7 @@ session_set_lesson (Session *session, Lesson *lesson)
   session->stop = 0;
   session_question_forget (session);
   session_question_refresh (session);
+  session_show_task (session);
   if (lesson != NULL && lesson->step_size >= 0)
     session_set_step_size (session, (StepSize)lesson->step_size);
   g_clear_pointer (&old, lesson_unref);
@@ -229,6 +230,7 @@ session_set_stop (Session *session, guint stop)
   session->stop = stop;
   g_clear_pointer (&session->another, exercise_free);
   session_question_refresh (session);
+  session_show_task (session);
   session_tell (session, CHANGED_LESSON);
   session_release (session);
   return TRUE;

@@ -197,6 +197,33 @@ check_question (Player *player)
   tell (player, "ask: a wrong answer is wrong", !verdict->is_right, "right");
 }
 
+/* A performance too: what QuickHull does itself scores 100 %. */
+static void
+check_performance (Player *player)
+{
+  const LessonStop *stop = player->stop;
+  g_autoptr (Exercise) model
+      = exercise_new (stop->question, player->session->run, &stop->occasion);
+  g_autoptr (Exercise) wrong
+      = exercise_new (stop->question, player->session->run, &stop->occasion);
+  g_autofree char *right = NULL, *score = NULL;
+
+  performance_play (model->performance, TRUE);
+  performance_play (wrong->performance, FALSE);
+  exercise_finish (model);
+  exercise_finish (wrong);
+  right = performance_score_text (model->performance);
+  score = performance_score_text (wrong->performance);
+  tell (player, "ask: its place exists, before its answer is shown", TRUE,
+        NULL);
+  tell (player, "ask: there are tasks to perform",
+        model->performance->tasks->len > 0, "none");
+  tell (player, "ask: the model answer of the performance scores 100 %",
+        model->verdict->is_right, right);
+  tell (player, "ask: wrong answers to all tasks score nothing",
+        wrong->verdict->right == 0, score);
+}
+
 static void
 play_question (Player *player)
 {
@@ -204,7 +231,9 @@ play_question (Player *player)
 
   if (player->is_filling && !find_question (player))
     return;
-  if (player->on_expect != NULL)
+  if (player->on_expect != NULL && stop->question->kind == QUESTION_PERFORM)
+    check_performance (player);
+  else if (player->on_expect != NULL)
     check_question (player);
   session_put_step (player->session, stop->occasion.reveal);
   if (player->is_filling)

@@ -134,6 +134,34 @@ gboolean session_question_is_open (Session *session);
  * Returns: FALSE: there is none. */
 gboolean session_answer_then_go (Session *session);
 
+/* Returns: the question as a whole; session_get_exercise() is the task of a
+ *          performance. NULL: none. */
+Exercise *session_question_whole (Session *session);
+
+/* Returns: whether the run is one that questions put in place, not a
+ *          person's. */
+gboolean session_question_owns_run (Session *session, const Run *run);
+
+/* Inside of session-perform.c. */
+Performance *session_performance (Session *session);
+void session_show_task (Session *session);
+
+/* Does what was chosen in a task that is closed.
+ *
+ * Returns: FALSE: there is no performance. */
+gboolean session_settle_task (Session *session);
+gboolean session_can_next_task (Session *session);
+gboolean session_next_task (Session *session);
+gboolean session_perform_can_next (Session *session);
+gboolean session_perform_next (Session *session);
+gboolean session_perform_back (Session *session);
+gboolean session_can_perform_another (Session *session);
+gboolean session_perform_another (Session *session);
+
+/* The last step that may be shown: what comes after it would answer a
+ * task. */
+guint session_last_step_allowed (Session *session);
+
 /* Returns: (transfer full): the coordinates as given. */
 Site *session_copy_sites (Session *session);
 

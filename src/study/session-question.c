@@ -55,14 +55,34 @@ session_state_of (Session *session, guint stop)
   return exercise != NULL && exercise->is_open ? row->ask_state : row->state;
 }
 
-const Exercise *
-session_get_exercise (Session *session)
+Exercise *
+session_question_whole (Session *session)
 {
   if (session->another != NULL)
     return session->another;
   return session->lesson == NULL || session->is_replaying
              ? NULL
              : get_exercise (session, session->stop);
+}
+
+const Exercise *
+session_get_exercise (Session *session)
+{
+  const Exercise *whole = session_question_whole (session);
+
+  return whole != NULL && whole->performance != NULL
+             ? performance_shown (whole->performance)->exercise
+             : whole;
+}
+
+gboolean
+session_question_owns_run (Session *session, const Run *run)
+{
+  const Exercise *whole = session_question_whole (session);
+
+  return whole != NULL
+         && (run == whole->run
+             || (whole->performance != NULL && run == whole->performance->run));
 }
 
 const Exercise *
@@ -217,7 +237,15 @@ told (Session *session, gboolean has_changed)
 void
 session_question_follow_run (Session *session)
 {
-  Exercise *exercise = exercise_in_hand (session);
+  Exercise *exercise;
+
+  /* A performance on a person's own sites ends with them. */
+  if (session->lesson == NULL && session->another != NULL
+      && !session_question_owns_run (session, session->run)) {
+    g_clear_pointer (&session->another, exercise_free);
+    told (session, TRUE);
+  }
+  exercise = exercise_in_hand (session);
 
   if (exercise == NULL || !exercise->is_open || !is_drag (exercise)
       || exercise->attempt->run == session->run)
@@ -314,7 +342,7 @@ show_answer (Session *session, const Exercise *exercise)
 {
   const LessonStop *stop = get_stop (session);
 
-  if (exercise->is_open)
+  if (exercise->is_open || session_settle_task (session))
     return;
   if (is_drag (exercise)) {
     if (exercise->verdict == NULL || !exercise->verdict->is_right)
@@ -369,7 +397,9 @@ session_reveal (Session *session)
 static void
 show_question (Session *session, const Exercise *exercise)
 {
-  if (exercise == session->another)
+  if (exercise->performance != NULL)
+    session_show_task (session);
+  else if (exercise == session->another)
     session_put_run (session, run_ref (exercise->run), exercise->occasion.step);
   else
     session_put_state (session, NULL, get_stop (session)->ask_state);
@@ -378,7 +408,7 @@ show_question (Session *session, const Exercise *exercise)
 gboolean
 session_retry (Session *session)
 {
-  Exercise *exercise = exercise_in_hand (session);
+  Exercise *exercise = session_question_whole (session);
 
   if (exercise == NULL)
     return FALSE;
@@ -417,15 +447,17 @@ session_answer_then_go (Session *session)
 gboolean
 session_can_continue (Session *session)
 {
-  const Exercise *exercise = session_get_exercise (session);
+  const Exercise *whole = session_question_whole (session);
 
-  return exercise != NULL && !exercise->is_open
-         && session->stop + 1 < session_get_n_stops (session);
+  return session_can_next_task (session)
+         || (whole != NULL && !whole->is_open
+             && session->stop + 1 < session_get_n_stops (session));
 }
 
 gboolean
 session_continue (Session *session)
 {
   return session_can_continue (session)
-         && session_set_stop (session, session->stop + 1);
+         && (session_next_task (session)
+             || session_set_stop (session, session->stop + 1));
 }

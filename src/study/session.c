@@ -185,7 +185,7 @@ session_set_step (Session *session, guint step)
   const guint old_step = session_get_step (session);
 
   session_hold (session);
-  session_put_step (session, step);
+  session_put_step (session, MIN (step, session_last_step_allowed (session)));
   session_follow_step (session, old_step);
   session_release (session);
 }
@@ -262,6 +262,8 @@ stop_before (Session *session)
 gboolean
 session_can_next (Session *session)
 {
+  if (session_perform_can_next (session))
+    return TRUE;
   return goes_by_stops (session)
              ? session_question_is_open (session)
                    || stop_after (session) < session_get_n_stops (session)
@@ -271,6 +273,8 @@ session_can_next (Session *session)
 gboolean
 session_can_back (Session *session)
 {
+  if (session->step_size == STEP_BEAT && session_can_browse (session, FALSE))
+    return TRUE;
   return goes_by_stops (session)
              ? stop_before (session) < session_get_n_stops (session)
              : session_get_step (session) > 0;
@@ -279,6 +283,8 @@ session_can_back (Session *session)
 gboolean
 session_next (Session *session)
 {
+  if (session_perform_next (session))
+    return TRUE;
   if (goes_by_stops (session))
     return session_answer_then_go (session)
            || session_set_stop (session, stop_after (session));
@@ -292,6 +298,8 @@ session_next (Session *session)
 gboolean
 session_back (Session *session)
 {
+  if (session_perform_back (session))
+    return TRUE;
   if (goes_by_stops (session))
     return session_set_stop (session, stop_before (session));
   if (!session_can_back (session))
@@ -317,7 +325,8 @@ session_last (Session *session)
   session_hold (session);
   if (session->lesson != NULL)
     session_set_stop (session, session_get_n_stops (session) - 1);
-  session_put_step (session, session_get_n_steps (session));
+  session_put_step (session, MIN (session_get_n_steps (session),
+                                  session_last_step_allowed (session)));
   session_release (session);
 }
 

@@ -18,6 +18,7 @@
 #include "insertion-cost.h"
 #include "lesson.h"
 #include "listing.h"
+#include "performance.h"
 #include "scene.h"
 
 #include <gio/gio.h>
@@ -368,6 +369,29 @@ gboolean session_continue (Session *session); /* to the next stop */
 /* The same question about other sites, that a seed gives. */
 gboolean session_can_another (Session *session);
 gboolean session_another (Session *session);
+
+/* You be QuickHull: performance.h. While it lasts the exercise is its task in
+ * hand, and nothing beyond that can be shown; when it is over, the task that
+ * is looked at. */
+const Performance *session_get_performance (Session *session); /* or NULL */
+
+/* Performs on the sites as they are, @source "", or on those of a source with
+ * a seed; the lesson ends.
+ *
+ * Errors: ACTION_ERROR_PARAMETER, SESSION_ERROR_SITE. */
+gboolean session_perform (Session *session, const char *source, GError **error);
+
+/* Each returns: FALSE: nothing to do. */
+gboolean session_can_grade (Session *session);
+gboolean session_grade (Session *session); /* gives up what is left to do */
+gboolean session_can_browse (Session *session, gboolean forwards);
+gboolean session_browse (Session *session, gboolean forwards);
+gboolean session_can_end_performance (Session *session); /* not a lesson's */
+gboolean session_end_performance (Session *session);
+
+/* Returns: (transfer full): the source of the sites that a seed has given, to
+ *          have them again; "": the sites are others. */
+char *session_performance_sites (Session *session);
 
 /* Carries out the commands of one stop, from the state of the stop before
  * it, and checks its expectations; replay is this for every stop.
