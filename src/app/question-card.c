@@ -1,6 +1,7 @@
 #include "question-card.h"
 
 #include "answer-list.h"
+#include "performance-card.h"
 #include "prose.h"
 #include "scroll-to.h"
 
@@ -12,7 +13,9 @@ struct _QuestionCard {
   const Exercise *exercise; /* that is shown; borrowed, to compare */
   GtkLabel *prompt, *instruction, *hints, *verdict, *reasons;
   AnswerList *answers;
+  PerformanceCard *performance;
   GtkWidget *buttons, *check, *hint, *undo, *show, *go_on, *retry, *another;
+  GtkWidget *grade, *leave;
 };
 
 /* Of the card itself, below its buttons. */
@@ -124,6 +127,27 @@ show_verdict (QuestionCard *card)
   set_class (card, "wrong", verdict != NULL && !verdict->is_right);
 }
 
+/* Between the tasks of a performance there is only one way to go. */
+static void
+show_closed_buttons (QuestionCard *card)
+{
+  const Performance *performance = session_get_performance (card->session);
+  const gboolean is_closed = !card->exercise->is_open;
+  const gboolean is_over
+      = is_closed && (performance == NULL || performance->is_over);
+
+  gtk_widget_set_visible (
+      card->go_on,
+      is_closed
+          && (performance == NULL || session_can_continue (card->session)));
+  gtk_widget_set_visible (card->retry, is_over);
+  gtk_widget_set_visible (card->another,
+                          is_over && session_can_another (card->session));
+  gtk_button_set_label (GTK_BUTTON (card->another), performance == NULL
+                                                        ? _ ("Try another")
+                                                        : _ ("Fresh sites"));
+}
+
 static void
 show_buttons (QuestionCard *card)
 {
@@ -136,10 +160,11 @@ show_buttons (QuestionCard *card)
   gtk_widget_set_visible (card->undo,
                           is_open && exercise->question->kind != QUESTION_DRAG);
   gtk_widget_set_visible (card->show, is_open);
-  gtk_widget_set_visible (card->go_on, !is_open);
-  gtk_widget_set_visible (card->retry, !is_open);
-  gtk_widget_set_visible (card->another,
-                          !is_open && session_can_another (card->session));
+  show_closed_buttons (card);
+  gtk_widget_set_visible (card->grade, session_can_grade (card->session));
+  gtk_widget_set_visible (
+      card->leave, !is_open && session_can_end_performance (card->session)
+                       && !session_can_grade (card->session));
 }
 
 static void
@@ -164,6 +189,7 @@ update (QuestionCard *card)
   answer_list_show (card->answers, card->exercise);
   if (card->exercise == NULL)
     return;
+  performance_card_show (card->performance, card->session);
   show_question (card);
   show_hints (card);
   show_verdict (card);
@@ -211,8 +237,10 @@ question_card_class_init (QuestionCardClass *class)
 
   G_OBJECT_CLASS (class)->dispose = question_card_dispose;
   g_type_ensure (ANSWER_LIST_TYPE);
+  g_type_ensure (PERFORMANCE_CARD_TYPE);
   gtk_widget_class_set_template_from_resource (
       widget_class, "/io/github/hull2vd/Hull2VD/question-card.ui");
+  BIND (performance);
   BIND (prompt);
   BIND (instruction);
   BIND (answers);
@@ -227,6 +255,8 @@ question_card_class_init (QuestionCardClass *class)
   BIND (go_on);
   BIND (retry);
   BIND (another);
+  BIND (grade);
+  BIND (leave);
 }
 
 static void

@@ -365,12 +365,19 @@ bank_drag (Banking *banking)
 }
 
 static void
+bank_perform (Banking *banking)
+{
+  leave_out (banking, _ ("it is performed in the pictures"));
+}
+
+static void
 bank_question (Banking *banking)
 {
   static void (*const bank[]) (Banking * banking) = {
-    [QUESTION_CHOOSE] = bank_choose, [QUESTION_NUMBERS] = bank_numbers,
-    [QUESTION_CLICK] = bank_click,   [QUESTION_ORDER] = bank_order,
-    [QUESTION_DRAG] = bank_drag,     [QUESTION_ALWAYS] = bank_always,
+    [QUESTION_CHOOSE] = bank_choose,   [QUESTION_NUMBERS] = bank_numbers,
+    [QUESTION_CLICK] = bank_click,     [QUESTION_ORDER] = bank_order,
+    [QUESTION_DRAG] = bank_drag,       [QUESTION_ALWAYS] = bank_always,
+    [QUESTION_PERFORM] = bank_perform,
   };
   const guint n_sites = banking->occasion->trace->set->n_sites;
 
