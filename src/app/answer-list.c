@@ -11,8 +11,9 @@ struct _AnswerList {
   const Exercise *exercise; /* whose rows there are; borrowed, to compare */
   const Question *question; /* of it: an exercise can be another at one place */
   GPtrArray *rows;          /* of GtkToggleButton or GtkEntry, in order */
-  GArray *items;            /* of Object: what the rows mean */
-  GtkLabel *chosen;         /* NULL: there are rows */
+  GtkWidget *none;  /* of radio buttons: chosen while no row is; not shown */
+  GArray *items;    /* of Object: what the rows mean */
+  GtkLabel *chosen; /* NULL: there are rows */
   gboolean is_updating;
 };
 
@@ -26,6 +27,9 @@ on_toggled (GtkToggleButton *button, AnswerList *list)
   guint index;
 
   if (list->is_updating || !g_ptr_array_find (list->rows, button, &index))
+    return;
+  /* A radio button goes out because another one is chosen. */
+  if (GTK_IS_RADIO_BUTTON (button) && !gtk_toggle_button_get_active (button))
     return;
   session_answer_toggle (list->session,
                          g_array_index (list->items, Object, index));
@@ -57,12 +61,22 @@ on_enter (GtkEntry *entry, AnswerList *list)
 
 /* Rows */
 
+static GtkWidget *
+make_button (AnswerList *list, const char *text)
+{
+  if (!attempt_is_single (list->question))
+    return gtk_check_button_new_with_label (text);
+  if (list->none == NULL)
+    list->none = g_object_ref_sink (gtk_radio_button_new (NULL));
+  return gtk_radio_button_new_with_label_from_widget (
+      GTK_RADIO_BUTTON (list->none), text);
+}
+
 static void
-add_button (AnswerList *list, Object item, gboolean is_radio)
+add_button (AnswerList *list, Object item)
 {
   g_autofree char *text = question_item_text (list->question, item);
-  GtkWidget *button = is_radio ? gtk_radio_button_new_with_label (NULL, text)
-                               : gtk_check_button_new_with_label (text);
+  GtkWidget *button = make_button (list, text);
   GtkWidget *label = gtk_bin_get_child (GTK_BIN (button));
 
   gtk_label_set_line_wrap (GTK_LABEL (label), TRUE);
@@ -81,7 +95,7 @@ add_options (AnswerList *list)
                       : list->question->options->len;
 
   for (guint i = 0; i < n; i++)
-    add_button (list, (Object){ OBJECT_NONE, i }, FALSE);
+    add_button (list, (Object){ OBJECT_NONE, i });
 }
 
 static void
@@ -91,7 +105,7 @@ add_items (AnswerList *list)
       = question_items (list->question, &list->exercise->occasion);
 
   for (guint i = 0; i < items->len; i++)
-    add_button (list, g_array_index (items, Object, i), FALSE);
+    add_button (list, g_array_index (items, Object, i));
 }
 
 static void
@@ -169,6 +183,7 @@ rebuild (AnswerList *list)
   g_ptr_array_set_size (list->rows, 0);
   g_array_set_size (list->items, 0);
   list->chosen = NULL;
+  g_clear_object (&list->none);
   gtk_container_foreach (GTK_CONTAINER (list), remove_child, NULL);
   if (list->exercise != NULL)
     add_rows (list);
@@ -216,6 +231,8 @@ update_rows (AnswerList *list)
   const Attempt *attempt = list->exercise->attempt;
 
   list->is_updating = TRUE;
+  if (list->none != NULL)
+    gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (list->none), TRUE);
   for (guint i = 0; i < list->rows->len; i++) {
     GtkWidget *row = g_ptr_array_index (list->rows, i);
 
@@ -258,6 +275,7 @@ static void
 answer_list_dispose (GObject *object)
 {
   g_clear_object (&HULL2VD_ANSWER_LIST (object)->session);
+  g_clear_object (&HULL2VD_ANSWER_LIST (object)->none);
   G_OBJECT_CLASS (answer_list_parent_class)->dispose (object);
 }
 

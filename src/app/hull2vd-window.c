@@ -252,7 +252,7 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (right_box);
   BIND (tabs);
   BIND (stack);
-  BIND (space_bar);
+  BIND (space_buttons);
   BIND (plane_view);
   BIND (space_view);
   BIND (plane_hint);

@@ -206,6 +206,22 @@ follow_line (Hull2vdWindow *window)
                            G_CONNECT_SWAPPED);
 }
 
+/* From here on, letters may be as large as the pictures have become. */
+#define WIDE_PX 1700
+
+static gboolean
+on_configure (GtkWidget *widget, GdkEventConfigure *event, gpointer user)
+{
+  GtkStyleContext *style = gtk_widget_get_style_context (widget);
+
+  (void)user;
+  if (event->width >= WIDE_PX)
+    gtk_style_context_add_class (style, "wide");
+  else
+    gtk_style_context_remove_class (style, "wide");
+  return GDK_EVENT_PROPAGATE;
+}
+
 void
 window_layout_init (Hull2vdWindow *window)
 {
@@ -214,6 +230,7 @@ window_layout_init (Hull2vdWindow *window)
   restore (window);
   update_columns (window);
   follow_line (window);
+  g_signal_connect (window, "configure-event", G_CALLBACK (on_configure), NULL);
   g_signal_connect (window->view_paned, "size-allocate",
                     G_CALLBACK (on_views_allocated), window);
 }

@@ -206,7 +206,7 @@ add_preset (Hull2vdWindow *window, const char *name)
   gtk_widget_set_valign (button, GTK_ALIGN_CENTER);
   gtk_style_context_add_class (gtk_widget_get_style_context (button), "flat");
   gtk_widget_show_all (button);
-  gtk_container_add (GTK_CONTAINER (window->space_bar), button);
+  gtk_container_add (GTK_CONTAINER (window->space_buttons), button);
 }
 
 /* The files may have become others since the menu was open last. */
@@ -239,6 +239,6 @@ window_menus_init (Hull2vdWindow *window)
                          (GClosureNotify)(void (*) (void))g_object_unref, 0);
   for (CameraPreset preset = 0; preset <= CAMERA_SIDE; preset++)
     add_preset (window, camera_preset_name (preset));
-  gtk_container_add (GTK_CONTAINER (window->space_bar),
+  gtk_container_add (GTK_CONTAINER (window->space_buttons),
                      look_popover_button_new (window->session));
 }

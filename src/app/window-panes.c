@@ -24,6 +24,8 @@ show_panes (Hull2vdWindow *window)
                           has_second && views != VIEWS_PLANE);
   gtk_widget_set_visible (window->plane_box,
                           !has_second || views != VIEWS_SPACE);
+  gtk_widget_set_visible (window->space_buttons,
+                          session_get_pane (window->session, 1) == PANE_SPACE);
 }
 
 /* Reports of runs */

@@ -53,7 +53,7 @@ struct _Hull2vdWindow {
   GtkWidget *left_column, *right_column, *tabs;
   GtkBox *right_box;
   GtkStack *stack;
-  GtkBox *space_bar;
+  GtkWidget *space_buttons; /* cameras and looks */
   PlaneView *plane_view;
   SpaceView *space_view;
   GtkLabel *plane_hint, *space_hint, *plane_readout;

@@ -65,8 +65,8 @@ attempt_has (const Attempt *attempt, Object object)
   return index_of (attempt->objects, object) >= 0;
 }
 
-static gboolean
-takes_one_alone (const Question *question)
+gboolean
+attempt_is_single (const Question *question)
 {
   return (question->kind == QUESTION_CHOOSE && !question->is_several)
          || (question->kind == QUESTION_CLICK && question->click->is_any)
@@ -82,7 +82,7 @@ attempt_toggle (Attempt *attempt, const Question *question, Object object)
     g_array_remove_index (attempt->objects, (guint)i);
     return;
   }
-  if (takes_one_alone (question))
+  if (attempt_is_single (question))
     g_array_set_size (attempt->objects, 0);
   g_array_append_val (attempt->objects, object);
 }

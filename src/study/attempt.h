@@ -24,6 +24,10 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC (Attempt, attempt_free)
 gboolean attempt_is_empty (const Attempt *attempt);
 gboolean attempt_has (const Attempt *attempt, Object object);
 
+/* Whether one alone can be right, so that one choice takes the place of
+ * another. */
+gboolean attempt_is_single (const Question *question);
+
 /* Chooses an object, or lets it go again; where one alone can be right it
  * takes the place of another. */
 void attempt_toggle (Attempt *attempt, const Question *question, Object object);

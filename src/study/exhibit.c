@@ -218,8 +218,8 @@ narrate_signs (const Exhibit *exhibit,
   const SignMap *map = exhibit->map;
   const guint *node = exhibit->node;
   g_autoptr (GString) sentence = g_string_new (translate (
-      N_ ("{p} at ({x}, {y}), then {q}, {r}: a turn to the {u} in plain "
-          "doubles, in truth {v}.")));
+      N_ ("{p} at ({x}, {y}), then {q}, {r}. In plain doubles: {u}. In "
+          "truth: {v}.")));
   char x[NUMBER_ROOM], y[NUMBER_ROOM];
   const Site at = sign_map_site (map, node[0], node[1]);
 

@@ -45,7 +45,7 @@ class Program:
             [os.environ["HULL2VD"], *files], stderr=subprocess.PIPE,
             text=True)
         wait(self.has_actions, "the window's actions")
-        wait(lambda: self.find("canvas", "Space"), "the pictures")
+        wait(lambda: self.find("canvas"), "the pictures")
 
     def __enter__(self):
         return self
