@@ -167,13 +167,11 @@ leave (Writer *writer, cmark_node *node)
 }
 
 static char *
-convert (const char *commonmark, gboolean has_markup)
+write_tree (cmark_node *tree, gboolean has_markup)
 {
   Writer writer = { g_string_new (NULL), has_markup, FALSE,
                     g_array_new (FALSE, FALSE, sizeof (int)) };
-  cmark_node *document = cmark_parse_document (commonmark, strlen (commonmark),
-                                               CMARK_OPT_DEFAULT);
-  cmark_iter *iter = cmark_iter_new (document);
+  cmark_iter *iter = cmark_iter_new (tree);
   cmark_event_type event;
 
   while ((event = cmark_iter_next (iter)) != CMARK_EVENT_DONE)
@@ -183,9 +181,25 @@ convert (const char *commonmark, gboolean has_markup)
       leave (&writer, cmark_iter_get_node (iter));
 
   cmark_iter_free (iter);
-  cmark_node_free (document);
   g_array_unref (writer.numbers);
   return g_string_free (writer.text, FALSE);
+}
+
+static char *
+convert (const char *commonmark, gboolean has_markup)
+{
+  cmark_node *document = cmark_parse_document (commonmark, strlen (commonmark),
+                                               CMARK_OPT_DEFAULT);
+  char *text = write_tree (document, has_markup);
+
+  cmark_node_free (document);
+  return text;
+}
+
+char *
+prose_tree_to_markup (struct cmark_node *tree)
+{
+  return write_tree (tree, TRUE);
 }
 
 char *

@@ -16,6 +16,10 @@ char *prose_to_markup (const char *commonmark);
 /* Returns: (transfer full): XHTML; raw HTML is left out. */
 char *prose_to_html (const char *commonmark);
 
+/* The same of a part of a document that libcmark has read. */
+struct cmark_node;
+char *prose_tree_to_markup (struct cmark_node *tree);
+
 /* Returns: (transfer full): the words alone. */
 char *prose_to_text (const char *commonmark);
 
