@@ -32,6 +32,8 @@ static const Row refusals[] = {
   { "replay far.md", 2, "far.md:11:1: there is no “round 7 see”" },
   { "export -o a.svg broken.md", 2, "broken.md:11:1: " },
   { "storyboard -o a.pdf broken.md", 2, "broken.md:11:1: " },
+  { "handout -o a.pdf broken.md", 2, "broken.md:11:1: " },
+  { "handout -o a.pdf five.txt", 1, "five.txt: a handout is made of a lesson" },
   { "compute", 64, "hull2vd-cli: compute: a file is missing\nusage: " },
   { "compute five.txt five.txt", 64, "hull2vd-cli: compute: too many files" },
   { "compute --no-such-option five.txt", 64, "hull2vd-cli: " },

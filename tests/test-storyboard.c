@@ -64,9 +64,11 @@ write_board (Session *session)
   g_autoptr (GError) error = NULL;
   GString *bytes = g_string_new (NULL);
   FILE *file = tmpfile ();
+  Appearance appearance;
   int byte;
 
-  g_assert_true (storyboard_write (session, file, &error));
+  appearance_init (&appearance);
+  g_assert_true (storyboard_write (session, &appearance, file, &error));
   g_assert_no_error (error);
   rewind (file);
   while ((byte = fgetc (file)) != EOF)
@@ -158,9 +160,11 @@ test_full_disk (void)
   g_autoptr (Session) session = session_with_lesson ();
   g_autoptr (GError) error = NULL;
   FILE *file = fopen ("/dev/full", "wb");
+  Appearance appearance;
 
+  appearance_init (&appearance);
   g_assert_nonnull (file);
-  g_assert_false (storyboard_write (session, file, &error));
+  g_assert_false (storyboard_write (session, &appearance, file, &error));
   g_assert_error (error, G_IO_ERROR, G_IO_ERROR_NO_SPACE);
   fclose (file);
 }

@@ -63,11 +63,13 @@ on_storyboard_chosen (const char *path, gpointer user)
   Hull2vdWindow *window = user;
   g_autoptr (Session) session = copy_session (window->session);
   g_autoptr (GError) error = NULL;
+  Appearance appearance;
   Pages pages;
   gboolean is_good;
 
+  appearance_init (&appearance);
   pages_open (&pages);
-  is_good = storyboard_write (session, pages.file, &error);
+  is_good = storyboard_write (session, &appearance, pages.file, &error);
   if (!pages_close (&pages, path, is_good, error == NULL ? &error : NULL))
     hull2vd_window_say (window, error->message);
 }

@@ -37,6 +37,7 @@ CliStatus cli_words (const CliCommand *command, int argc, char **argv);
 CliStatus cli_replay (const CliCommand *command, int argc, char **argv);
 CliStatus cli_export (const CliCommand *command, int argc, char **argv);
 CliStatus cli_storyboard (const CliCommand *command, int argc, char **argv);
+CliStatus cli_handout (const CliCommand *command, int argc, char **argv);
 CliStatus cli_questions (const CliCommand *command, int argc, char **argv);
 CliStatus cli_actions (const CliCommand *command, int argc, char **argv);
 
@@ -121,7 +122,8 @@ gboolean cli_look (const CliCommand *command,
                    guint *layers,
                    Camera *camera);
 
-#define CLI_LOOK_ENTRIES(options)                                              \
+/* Those of the theme and the sizes. */
+#define CLI_APPEARANCE_ENTRIES(options)                                        \
   { "theme",                                                                   \
     0,                                                                         \
     0,                                                                         \
@@ -129,21 +131,6 @@ gboolean cli_look (const CliCommand *command,
     &(options)->theme,                                                         \
     N_ ("light, paper, projector, dark, print or contrast"),                   \
     "THEME" },                                                                 \
-      { "layers",                                                              \
-        0,                                                                     \
-        0,                                                                     \
-        G_OPTION_ARG_STRING,                                                   \
-        &(options)->layers,                                                    \
-        N_ ("these layers alone; with + and -, more and less than else"),      \
-        "hull,-lifts…" },                                                      \
-      { "camera",                                                              \
-        0,                                                                     \
-        0,                                                                     \
-        G_OPTION_ARG_STRING,                                                   \
-        &(options)->camera,                                                    \
-        N_ ("home, look-up, look-down, side, or degrees: AZIMUTH,ELEVATION"    \
-            "[,ZOOM]"),                                                        \
-        "CAMERA" },                                                            \
       { "line-scale",                                                          \
         0,                                                                     \
         0,                                                                     \
@@ -161,6 +148,23 @@ gboolean cli_look (const CliCommand *command,
   {                                                                            \
     "text-scale", 0, 0, G_OPTION_ARG_STRING, &(options)->text_scale,           \
         N_ ("larger names: 0.5 to 3"), "T"                                     \
+  }
+
+/* All of them. */
+#define CLI_LOOK_ENTRIES(options)                                              \
+  CLI_APPEARANCE_ENTRIES (options),                                            \
+      { "layers",                                                              \
+        0,                                                                     \
+        0,                                                                     \
+        G_OPTION_ARG_STRING,                                                   \
+        &(options)->layers,                                                    \
+        N_ ("these layers alone; with + and -, more and less than else"),      \
+        "hull,-lifts…" },                                                      \
+  {                                                                            \
+    "camera", 0, 0, G_OPTION_ARG_STRING, &(options)->camera,                   \
+        N_ ("home, look-up, look-down, side, or degrees: AZIMUTH,ELEVATION"    \
+            "[,ZOOM]"),                                                        \
+        "CAMERA"                                                               \
   }
 
 /* Puts a line on stderr, without control characters. */

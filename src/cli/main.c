@@ -21,6 +21,7 @@ static const CliCommand commands[] = {
     cli_export },
   { "storyboard", "LESSON", N_ ("Write the stops of a lesson as PDF"),
     cli_storyboard },
+  { "handout", "LESSON", N_ ("Write a lesson on paper, as PDF"), cli_handout },
   { "words", "LESSON…", N_ ("Write what there is to translate in lessons"),
     cli_words },
   { "questions", "LESSON…",

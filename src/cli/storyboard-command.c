@@ -4,17 +4,58 @@
 
 #include <glib/gi18n.h>
 
+typedef struct Options {
+  char *output;
+  CliLook look;
+  Appearance appearance;
+  char **paths;
+} Options;
+
+static void
+options_clear (Options *options)
+{
+  g_free (options->output);
+  cli_look_clear (&options->look);
+  g_strfreev (options->paths);
+}
+
+static gboolean
+options_parse (Options *options,
+               const CliCommand *command,
+               int argc,
+               char **argv)
+{
+  Camera camera;
+  guint layers = 0;
+  const GOptionEntry entries[]
+      = { { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options->output,
+            N_ ("the PDF file"), "FILE.pdf" },
+          CLI_APPEARANCE_ENTRIES (&options->look),
+          G_OPTION_ENTRY_NULL };
+
+  if (!cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,
+                  &options->paths))
+    return FALSE;
+  if (options->output == NULL) {
+    cli_usage (command, _ ("which file to write? -o FILE.pdf"));
+    return FALSE;
+  }
+  appearance_init (&options->appearance);
+  return cli_look (command, &options->look, &options->appearance, &layers,
+                   &camera);
+}
+
 static CliStatus
-write_storyboard (Session *session, const char *path)
+write_storyboard (Session *session, const Options *options)
 {
   GError *error = NULL;
   CliOutput output;
 
   cli_output_begin (&output);
-  if (storyboard_write (session, output.file, &error))
-    return cli_output_end (&output, path);
+  if (storyboard_write (session, &options->appearance, output.file, &error))
+    return cli_output_end (&output, options->output);
   cli_output_drop (&output);
-  cli_say ("%s: %s", path, error->message);
+  cli_say ("%s: %s", options->output, error->message);
   g_error_free (error);
   return CLI_CANNOT_WRITE;
 }
@@ -23,18 +64,14 @@ CliStatus
 cli_storyboard (const CliCommand *command, int argc, char **argv)
 {
   g_autoptr (Session) session = session_new ();
-  g_autofree char *path = NULL;
-  g_auto (GStrv) paths = NULL;
+  Options options = { .output = NULL };
+  CliStatus status = CLI_USAGE;
   GError *error = NULL;
-  const GOptionEntry options[] = { { "output", 'o', 0, G_OPTION_ARG_FILENAME,
-                                     &path, N_ ("the PDF file"), "FILE.pdf" },
-                                   G_OPTION_ENTRY_NULL };
 
-  if (!cli_parse (command, options, (CliCount){ 1, 1 }, argc, argv, &paths))
-    return CLI_USAGE;
-  if (path == NULL)
-    return cli_usage (command, _ ("which file to write? -o FILE.pdf"));
-  if (!document_open (session, paths[0], &error))
-    return cli_fail (error);
-  return write_storyboard (session, path);
+  if (options_parse (&options, command, argc, argv))
+    status = document_open (session, options.paths[0], &error)
+                 ? write_storyboard (session, &options)
+                 : cli_fail (error);
+  options_clear (&options);
+  return status;
 }

@@ -1,7 +1,7 @@
 #include "panel.h"
 
+#include "moment.h"
 #include "prose.h"
-#include "session-picture.h"
 
 #include <glib/gi18n.h>
 #include <pango/pangocairo.h>
@@ -11,10 +11,6 @@
 #define TEXT_PT 8.5
 #define LEAST_PART 0.66
 #define GAP 10.0
-
-/* A picture is painted larger than it is printed, so that its lines and names
- * are as fine on paper as they should be. */
-#define PICTURE_PX_PER_PT 2.1
 
 /* A hull of more rounds shows this many of them. */
 #define MOST_ROUNDS 60
@@ -144,26 +140,6 @@ panel_paint_text (cairo_t *cr,
   return height;
 }
 
-static void
-paint_picture (Session *session, cairo_t *cr, const cairo_rectangle_t *area)
-{
-  const Frame *frame = session_get_frame (session);
-  Picture picture;
-
-  session_picture (&picture, session, PICTURE_BOTH);
-  picture.width = area->width * PICTURE_PX_PER_PT;
-  picture.height = area->height * PICTURE_PX_PER_PT;
-  cairo_save (cr);
-  cairo_translate (cr, area->x, area->y);
-  cairo_scale (cr, 1 / PICTURE_PX_PER_PT, 1 / PICTURE_PX_PER_PT);
-  picture_paint (&picture, frame, cr);
-  cairo_restore (cr);
-  cairo_rectangle (cr, area->x, area->y, area->width, area->height);
-  cairo_set_line_width (cr, 0.5);
-  cairo_set_source_rgb (cr, 0.75, 0.75, 0.75);
-  cairo_stroke (cr);
-}
-
 /* Title, prose, and below a fine line the sentence of the step. */
 static void
 paint_words (const Panel *panel, cairo_t *cr, cairo_rectangle_t area)
@@ -194,6 +170,7 @@ paint_words (const Panel *panel, cairo_t *cr, cairo_rectangle_t area)
 void
 panel_paint (const Panel *panel,
              Session *session,
+             const Appearance *appearance,
              cairo_t *cr,
              const cairo_rectangle_t *area)
 {
@@ -204,6 +181,6 @@ panel_paint (const Panel *panel,
       = { area->x + pictures + GAP, area->y, area->width - pictures - GAP,
           area->height };
 
-  paint_picture (session, cr, &picture);
+  moment_paint (session, MOMENT_VIEWS, appearance, cr, &picture);
   paint_words (panel, cr, words);
 }

@@ -2,8 +2,10 @@
 #ifndef PANEL_H
 #define PANEL_H
 
-#include "picture.h"
+#include "appearance.h"
 #include "session.h"
+
+#include <cairo.h>
 
 G_BEGIN_DECLS
 
@@ -29,6 +31,7 @@ guint panel_count (Session *session);
  * ellipsis. Units: pt. */
 void panel_paint (const Panel *panel,
                   Session *session,
+                  const Appearance *appearance,
                   cairo_t *cr,
                   const cairo_rectangle_t *area);
 

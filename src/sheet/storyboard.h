@@ -3,6 +3,7 @@
 #ifndef STORYBOARD_H
 #define STORYBOARD_H
 
+#include "appearance.h"
 #include "session.h"
 
 #include <stdio.h>
@@ -11,11 +12,14 @@ G_BEGIN_DECLS
 
 /* Plays the session's lesson (or, without one, its rounds, of very many a
  * choice) and writes an A4 page for every four stops, with metadata and an
- * outline. The session is left at the step and stop where it was. The same
- * lesson gives the same bytes.
+ * outline, its pictures in @appearance. The session is left at the step and
+ * stop where it was. The same lesson gives the same bytes.
  *
  * Returns: FALSE with @error set when writing failed. */
-gboolean storyboard_write (Session *session, FILE *file, GError **error);
+gboolean storyboard_write (Session *session,
+                           const Appearance *appearance,
+                           FILE *file,
+                           GError **error);
 
 G_END_DECLS
 

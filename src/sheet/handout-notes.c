@@ -1,0 +1,134 @@
+#include "handout-notes.h"
+
+#include "block-prose.h"
+#include "form.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+#define PADDING 6.0
+#define TIME_COLUMN 66.0
+#define GRAIN_S 15.0
+
+/* Time */
+
+static guint
+weight_of (const Lesson *lesson, guint stop)
+{
+  return lesson_stop (lesson, stop)->question != NULL ? 2 : 1;
+}
+
+static guint
+weight_before (const Lesson *lesson, guint stop)
+{
+  guint weight = 0;
+
+  for (guint i = 0; i < stop; i++)
+    weight += weight_of (lesson, i);
+  return weight;
+}
+
+/* Seconds, of which nobody measures single ones. */
+static guint
+begin_of (const Lesson *lesson, guint stop)
+{
+  const double part = (double)weight_before (lesson, stop)
+                      / weight_before (lesson, lesson->stops->len);
+
+  return (guint)(GRAIN_S * round (60.0 * lesson->minutes * part / GRAIN_S));
+}
+
+char *
+handout_time_of (const Lesson *lesson, guint stop)
+{
+  const guint begin = begin_of (lesson, stop);
+  const guint end = begin_of (lesson, stop + 1);
+
+  if (lesson->minutes == 0)
+    return g_strdup ("");
+  return g_strdup_printf ("%u:%02u – %u:%02u", begin / 60, begin % 60, end / 60,
+                          end % 60);
+}
+
+/* Notes */
+
+/* Notes go on after "Note:", so they begin as a clause does. */
+static char *
+capitalized (const char *words)
+{
+  char first[7] = { 0 };
+  const gunichar letter = g_utf8_get_char (words);
+
+  if (letter == 0)
+    return g_strdup ("");
+  g_unichar_to_utf8 (g_unichar_totitle (letter), first);
+  return g_strconcat (first, g_utf8_next_char (words), NULL);
+}
+
+Block *
+handout_note (const Handout *handout, const char *commonmark)
+{
+  g_autofree char *words = capitalized (commonmark);
+  Block *frame = block_frame (handout->width, PADDING);
+  const double width = block_inner_width (frame);
+  Block *label
+      = handout_words (handout, TEXT_LABEL, width, _ ("For the lecturer"));
+
+  label->keeps = TRUE;
+  block_add (frame, label);
+  block_add_below (frame,
+                   block_prose (&handout->press, TEXT_SMALL, width, words), 2);
+  return frame;
+}
+
+static Block *
+timetable_row (const Handout *handout, guint stop, double width)
+{
+  const LessonStop *row = lesson_stop (handout->lesson, stop);
+  g_autofree char *time = handout_time_of (handout->lesson, stop);
+  g_autofree char *title = g_strdup_printf (
+      "%u  %s%s", stop + 1, row->title, row->question != NULL ? " (?)" : "");
+  Block *columns = block_columns (0);
+
+  block_add (columns, handout_words (handout, TEXT_SMALL, TIME_COLUMN, time));
+  block_add (columns,
+             handout_words (handout, TEXT_SMALL, width - TIME_COLUMN, title));
+  columns->link = handout_stop_name (stop);
+  return columns;
+}
+
+/* Two columns, read downwards. */
+static Block *
+timetable (const Handout *handout, double width)
+{
+  const guint n = handout->lesson->stops->len;
+  const guint half = (n + 1) / 2;
+  const double column = (width - COLUMN_GAP) / 2;
+  Block *columns = block_columns (COLUMN_GAP);
+
+  for (guint side = 0; side < 2; side++) {
+    Block *stack = block_stack (column);
+
+    for (guint i = side * half; i < MIN ((side + 1) * half, n); i++)
+      block_add_below (stack, timetable_row (handout, i, column), 2);
+    block_add (columns, stack);
+  }
+  return columns;
+}
+
+void
+handout_add_timetable (Handout *handout)
+{
+  const Lesson *lesson = handout->lesson;
+
+  if (lesson->note != NULL)
+    pages_add (handout->pages, handout_note (handout, lesson->note), 10);
+  if (lesson->minutes > 0) {
+    Block *label = handout_words (handout, TEXT_LABEL, handout->width,
+                                  _ ("Timetable; (?) asks a question"));
+
+    label->keeps = TRUE;
+    pages_add (handout->pages, label, 10);
+    pages_add (handout->pages, timetable (handout, handout->width), 4);
+  }
+}

@@ -1,0 +1,24 @@
+/* What of a handout is for the lecturer: notes and timings. */
+#ifndef HANDOUT_NOTES_H
+#define HANDOUT_NOTES_H
+
+#include "handout-private.h"
+
+G_BEGIN_DECLS
+
+/* Adds the notes on the whole lesson, and what comes when. */
+void handout_add_timetable (Handout *handout);
+
+/* Returns: (transfer full): a note of a stop. */
+Block *handout_note (const Handout *handout, const char *commonmark);
+
+/* When a stop begins and ends: the lesson's minutes shared out, twice as much
+ * to a stop that asks as to another.
+ *
+ * Returns: (transfer full): "3:15 – 4:00", or "" when the lesson does not say
+ *          how long it takes. */
+char *handout_time_of (const Lesson *lesson, guint stop);
+
+G_END_DECLS
+
+#endif

@@ -1,0 +1,232 @@
+#include "handout-private.h"
+
+#include "block-prose.h"
+#include "form.h"
+#include "gist.h"
+
+#include <glib/gi18n.h>
+
+/* Room that is left is for the learner's own notes, when it is worth it. */
+#define LEAST_LINES 3
+#define LINES_HEAD 30.0 /* of their heading */
+
+void
+handout_options_init (HandoutOptions *options)
+{
+  *options = (HandoutOptions){ .paper = paper_find ("a4") };
+  appearance_init (&options->appearance);
+  options->appearance.theme = THEME_PRINT;
+}
+
+/* What the parts share */
+
+char *
+handout_stop_name (guint stop)
+{
+  return g_strdup_printf ("stop-%u", stop + 1);
+}
+
+char *
+handout_key_name (guint stop)
+{
+  return g_strdup_printf ("key-%u", stop + 1);
+}
+
+Block *
+handout_words (const Handout *handout,
+               TextStyle style,
+               double width,
+               const char *words)
+{
+  g_autofree char *markup = g_markup_escape_text (words, -1);
+
+  return block_text (&handout->press, style, width, markup);
+}
+
+Block *
+handout_picture (const Handout *handout,
+                 guint stop,
+                 MomentFace face,
+                 double width)
+{
+  const Moment moment = { handout->session, stop, face, MOMENT_NONE };
+
+  return moment_block (&moment, MOMENT_VIEWS, &handout->options->appearance,
+                       width, width / PICTURE_RATIO);
+}
+
+char *
+handout_minutes (const Lesson *lesson)
+{
+  return lesson->minutes == 0
+             ? g_strdup ("")
+             : g_strdup_printf (
+                 ngettext ("%u minute", "%u minutes", lesson->minutes),
+                 lesson->minutes);
+}
+
+static guint
+count_questions (const Handout *handout)
+{
+  guint n = 0;
+
+  for (guint i = 0; i < handout->lesson->stops->len; i++)
+    n += handout_asks (handout, i);
+  return n;
+}
+
+/* "12 minutes · 24 stops · 7 questions" */
+static char *
+measures (const Handout *handout)
+{
+  const guint n_stops = handout->lesson->stops->len;
+  const guint n_questions = count_questions (handout);
+  g_autofree char *minutes = handout_minutes (handout->lesson);
+  g_autoptr (GString) text = g_string_new (minutes);
+
+  g_string_append (text, text->len > 0 ? " · " : "");
+  g_string_append_printf (text, ngettext ("%u stop", "%u stops", n_stops),
+                          n_stops);
+  if (n_questions > 0) {
+    g_string_append (text, " · ");
+    g_string_append_printf (
+        text, ngettext ("%u question", "%u questions", n_questions),
+        n_questions);
+  }
+  return g_strdup (text->str);
+}
+
+void
+handout_head (const Handout *handout, Block *stack, const char *under)
+{
+  const Lesson *lesson = handout->lesson;
+  Block *title
+      = handout_words (handout, TEXT_TITLE, handout->width, lesson->title);
+
+  title->tag = "H1";
+  block_add (stack, title);
+  if (under[0] != '\0')
+    block_add_below (
+        stack, handout_words (handout, TEXT_SMALL, handout->width, under), 2);
+  if (lesson->prose != NULL && lesson->prose[0] != '\0')
+    block_add_below (
+        stack,
+        block_prose (&handout->press, TEXT_BODY, handout->width, lesson->prose),
+        8);
+}
+
+void
+handout_add_title (Handout *handout)
+{
+  const Lesson *lesson = handout->lesson;
+  g_autofree char *under = measures (handout);
+  Block *stack = block_stack (handout->width);
+
+  stack->title = g_strdup (lesson->title);
+  stack->level = 1;
+  stack->keeps = TRUE;
+  handout_head (handout, stack, under);
+  pages_add (handout->pages, stack, 0);
+}
+
+void
+handout_add_part (Handout *handout, const char *title)
+{
+  Block *block = handout_words (handout, TEXT_TITLE, handout->width, title);
+
+  block->tag = "H1";
+  block->title = g_strdup (title);
+  block->level = 1;
+  block->keeps = TRUE;
+  if (handout->has_part)
+    pages_break (handout->pages);
+  pages_add (handout->pages, block, STOP_GAP);
+  handout->has_part = TRUE;
+}
+
+Block *
+handout_sources (const Handout *handout)
+{
+  g_autofree char *sources = gist_sources (handout->lesson);
+  Block *stack;
+
+  if (sources[0] == '\0')
+    return NULL;
+  stack = block_stack (handout->width);
+  block_add (stack, form_rule (handout->width));
+  block_add_below (
+      stack, handout_words (handout, TEXT_LABEL, handout->width, _ ("Sources")),
+      PART_GAP);
+  block_add_below (
+      stack, block_prose (&handout->press, TEXT_SMALL, handout->width, sources),
+      2);
+  stack->title = g_strdup (_ ("Sources"));
+  stack->level = 1;
+  return stack;
+}
+
+void
+handout_add_lines (Handout *handout)
+{
+  const guint n_lines
+      = form_lines_in (pages_room (handout->pages) - LINES_HEAD);
+  Block *stack;
+
+  if (n_lines < LEAST_LINES)
+    return;
+  stack = block_stack (handout->width);
+  block_add (stack, handout_words (handout, TEXT_LABEL, handout->width,
+                                   _ ("My notes")));
+  block_add (stack, form_lines (handout->width, n_lines));
+  pages_add (handout->pages, stack, STOP_GAP);
+}
+
+/* Writing */
+
+static void
+add_parts (Handout *handout)
+{
+  const HandoutOptions *options = handout->options;
+  Block *sources;
+
+  if (!options->has_stops && !options->has_steps && !options->has_key) {
+    handout_add_page (handout);
+    return;
+  }
+  handout_add_title (handout);
+  if (options->has_stops)
+    handout_add_stops (handout);
+  if (options->has_steps)
+    handout_add_steps (handout);
+  if (options->has_key)
+    handout_add_key (handout);
+  sources = handout_sources (handout);
+  if (sources != NULL)
+    pages_add (handout->pages, sources, STOP_GAP);
+  if (options->has_blanks)
+    handout_add_lines (handout);
+}
+
+gboolean
+handout_write (Session *session,
+               const HandoutOptions *options,
+               FILE *file,
+               GError **error)
+{
+  const Lesson *lesson = session_get_lesson (session);
+  g_autoptr (Pages) pages = pages_new (options->paper);
+  g_auto (Press) press = { NULL, 1 };
+  Handout handout = { .session = session,
+                      .lesson = lesson,
+                      .options = options,
+                      .pages = pages,
+                      .width = pages_width (pages) };
+  PdfWords words = { .subject = _ ("A lesson of Hull2VD") };
+
+  g_assert (lesson != NULL);
+  words.title = lesson->title;
+  press_init (&press);
+  handout.press = press;
+  add_parts (&handout);
+  return pages_write (pages, &press, &words, file, error);
+}

@@ -1,0 +1,294 @@
+#include "page.h"
+
+#include <cairo-pdf.h>
+#include <glib/gi18n.h>
+
+#define MARGIN_SIDE 50.0 /* to be punched */
+#define MARGIN_TOP 54.0
+#define MARGIN_BOTTOM 54.0
+#define HEAD_Y 30.0 /* of the running heading */
+#define FOOT_Y 34.0 /* of the page number, from below */
+
+/* What of a block that will be parted should stand under its heading. */
+#define BEGINNING 80.0
+
+/* A page is filled by so much more space between blocks, at most. */
+#define MOST_STRETCH 20.0
+
+typedef struct Entry {
+  Block *block;
+  gboolean begins_page; /* wanted */
+  guint page;           /* from 0 */
+  double y;
+} Entry;
+
+struct Pages {
+  const Paper *paper;
+  GPtrArray *entries;
+  gboolean has_break; /* before the next entry */
+  gboolean is_laid_out;
+  guint n_pages;
+};
+
+static void
+entry_free (gpointer data)
+{
+  Entry *entry = data;
+
+  block_free (entry->block);
+  g_free (entry);
+}
+
+Pages *
+pages_new (const Paper *paper)
+{
+  Pages *pages = g_new0 (Pages, 1);
+
+  pages->paper = paper;
+  pages->entries = g_ptr_array_new_with_free_func (entry_free);
+  return pages;
+}
+
+void
+pages_free (Pages *pages)
+{
+  g_ptr_array_unref (pages->entries);
+  g_free (pages);
+}
+
+double
+pages_width (const Pages *pages)
+{
+  return pages->paper->width - 2 * MARGIN_SIDE;
+}
+
+double
+pages_height (const Pages *pages)
+{
+  return pages->paper->height - MARGIN_TOP - MARGIN_BOTTOM;
+}
+
+static Entry *
+entry_new (Block *block, gboolean begins_page)
+{
+  Entry *entry = g_new0 (Entry, 1);
+
+  entry->block = block;
+  entry->begins_page = begins_page;
+  return entry;
+}
+
+void
+pages_add (Pages *pages, Block *block, double above)
+{
+  block->above = above;
+  g_ptr_array_add (pages->entries, entry_new (block, pages->has_break));
+  pages->has_break = FALSE;
+  pages->is_laid_out = FALSE;
+}
+
+void
+pages_break (Pages *pages)
+{
+  pages->has_break = pages->entries->len > 0;
+}
+
+/* Laying out */
+
+static Entry *
+get_entry (const Pages *pages, guint index)
+{
+  return g_ptr_array_index (pages->entries, index);
+}
+
+/* The height of an entry and of those that it is kept with: of one that will
+ * be parted, of its beginning. */
+static double
+height_of_chain (const Pages *pages, guint index)
+{
+  double height = get_entry (pages, index)->block->height;
+
+  while (get_entry (pages, index)->block->keeps
+         && index + 1 < pages->entries->len) {
+    const Block *next = get_entry (pages, ++index)->block;
+
+    height
+        += next->above
+           + (next->height > pages_height (pages) ? BEGINNING : next->height);
+  }
+  return height;
+}
+
+/* Puts what does not fit into @room into an entry of its own. */
+static void
+part (Pages *pages, guint index, double room)
+{
+  Entry *entry = get_entry (pages, index);
+  Block *rest;
+
+  block_unfold (entry->block, pages_height (pages));
+  if (entry->block->height <= room)
+    return;
+  rest = block_split (entry->block, room);
+  if (rest != NULL)
+    g_ptr_array_insert (pages->entries, (int)index + 1,
+                        entry_new (rest, FALSE));
+}
+
+/* Where an entry goes, below @y of the page in hand. */
+static void
+place (Pages *pages, guint index, guint *page, double *y)
+{
+  const double most = pages_height (pages);
+  Entry *entry = get_entry (pages, index);
+  const double room = most - *y - entry->block->above;
+
+  if (*y > 0 && entry->block->height > most)
+    part (pages, index, room);
+  if (*y > 0 && (entry->begins_page || height_of_chain (pages, index) > room)) {
+    *page += 1;
+    *y = 0;
+  }
+  if (*y == 0)
+    part (pages, index, most);
+  entry->page = *page;
+  entry->y = *y == 0 ? 0 : *y + entry->block->above;
+  *y = entry->y + entry->block->height;
+}
+
+/* Fills a page, of which the entries @first … @last - 1 are. */
+static void
+stretch (Pages *pages, guint first, guint last)
+{
+  const Entry *end = get_entry (pages, last - 1);
+  const double left = pages_height (pages) - end->y - end->block->height;
+  const double more = MIN (left / MAX (last - first - 1, 1), MOST_STRETCH);
+
+  for (guint i = first + 1; i < last; i++)
+    get_entry (pages, i)->y += (i - first) * more;
+}
+
+/* The last page, and one after which a new one was wanted, end where they
+ * end. */
+static void
+stretch_pages (Pages *pages)
+{
+  guint first = 0;
+
+  for (guint i = 1; i < pages->entries->len; i++) {
+    if (get_entry (pages, i)->page == get_entry (pages, first)->page)
+      continue;
+    if (!get_entry (pages, i)->begins_page)
+      stretch (pages, first, i);
+    first = i;
+  }
+}
+
+guint
+pages_count (Pages *pages)
+{
+  guint page = 0;
+  double y = 0;
+
+  if (pages->is_laid_out)
+    return pages->n_pages;
+  for (guint i = 0; i < pages->entries->len; i++)
+    place (pages, i, &page, &y);
+  stretch_pages (pages);
+  pages->n_pages = page + 1;
+  pages->is_laid_out = TRUE;
+  return pages->n_pages;
+}
+
+double
+pages_room (Pages *pages)
+{
+  const guint n = pages->entries->len;
+  const Entry *last;
+
+  pages_count (pages);
+  if (n == 0)
+    return pages_height (pages);
+  last = get_entry (pages, n - 1);
+  return pages_height (pages) - last->y - last->block->height;
+}
+
+/* Painting */
+
+typedef struct Painting {
+  Pages *pages;
+  const Press *press;
+  const PdfWords *words;
+  Pdf pdf;
+  int parents[4]; /* of outlines, by level */
+} Painting;
+
+static void
+paint_margins (Painting *painting)
+{
+  const Pages *pages = painting->pages;
+  cairo_t *cr = painting->pdf.cr;
+  const double right = MARGIN_SIDE + pages_width (pages);
+  const double foot = pages->paper->height - FOOT_Y;
+  g_autofree char *title = g_markup_escape_text (painting->words->title, -1);
+  /* Translators: page number and number of pages, at the foot of a page. */
+  g_autofree char *number = g_strdup_printf (
+      _ ("Page %u of %u"), painting->pdf.page, pages->n_pages);
+  g_autoptr (Block) head
+      = block_text (painting->press, TEXT_SMALL, pages_width (pages), title);
+  g_autoptr (Block) count = block_word (painting->press, TEXT_SMALL, number);
+  g_autoptr (Block) maker = block_word (painting->press, TEXT_SMALL, "Hull2VD");
+
+  /* The heading of a long title is its first line. */
+  head->last = 1;
+  head->tag = count->tag = maker->tag = NULL;
+  if (painting->pdf.page > 1)
+    block_paint (head, cr, MARGIN_SIDE, HEAD_Y);
+  block_paint (maker, cr, MARGIN_SIDE, foot);
+  block_paint (count, cr, right - count->width, foot);
+}
+
+static void
+add_outline (Painting *painting, const Block *block, double y)
+{
+  if (block->title != NULL && block->level < G_N_ELEMENTS (painting->parents)) {
+    const int entry
+        = pdf_add_outline (&painting->pdf, painting->parents[block->level - 1],
+                           block->title, MARGIN_SIDE, MAX (y - 8, 0));
+
+    for (guint i = block->level; i < G_N_ELEMENTS (painting->parents); i++)
+      painting->parents[i] = entry;
+  }
+}
+
+static void
+paint_entry (Painting *painting, const Entry *entry)
+{
+  const double y = MARGIN_TOP + entry->y;
+
+  add_outline (painting, entry->block, y);
+  block_paint (entry->block, painting->pdf.cr, MARGIN_SIDE, y);
+}
+
+gboolean
+pages_write (Pages *pages,
+             const Press *press,
+             const PdfWords *words,
+             FILE *file,
+             GError **error)
+{
+  Painting painting = { .pages = pages, .press = press, .words = words };
+  const guint n_pages = pages_count (pages);
+  guint next = 0;
+
+  pdf_begin (&painting.pdf, pages->paper, words);
+  cairo_tag_begin (painting.pdf.cr, "Document", NULL);
+  for (guint page = 0; page < n_pages; page++) {
+    paint_margins (&painting);
+    while (next < pages->entries->len && get_entry (pages, next)->page == page)
+      paint_entry (&painting, get_entry (pages, next++));
+    pdf_end_page (&painting.pdf);
+  }
+  cairo_tag_end (painting.pdf.cr, "Document");
+  return pdf_end (&painting.pdf, file, error);
+}

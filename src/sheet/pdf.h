@@ -1,0 +1,51 @@
+/* A PDF file in the making: in memory, until it is whole. The same pages give
+ * the same bytes. */
+#ifndef PDF_H
+#define PDF_H
+
+#include <cairo.h>
+#include <gio/gio.h>
+#include <stdio.h>
+
+G_BEGIN_DECLS
+
+typedef struct Paper {
+  const char *name;
+  double width, height; /* pt, upright */
+} Paper;
+
+/* Returns: NULL: there is no such paper. */
+const Paper *paper_find (const char *name);
+
+/* Returns: the names, ending with NULL; "a4" is the first. */
+const char *const *paper_names (void);
+
+/* What a reader of the file shows of it; NULL: nothing. */
+typedef struct PdfWords {
+  const char *title, *author, *subject;
+} PdfWords;
+
+typedef struct Pdf {
+  cairo_t *cr; /* paints on the page in hand */
+  cairo_surface_t *surface;
+  GByteArray *bytes;
+  guint page; /* in hand, from 1 */
+} Pdf;
+
+void pdf_begin (Pdf *pdf, const Paper *paper, const PdfWords *words);
+
+/* Adds an entry to the outline, of a place on the page in hand.
+ *
+ * Returns: the entry, for those under it. */
+int
+pdf_add_outline (Pdf *pdf, int parent, const char *title, double x, double y);
+void pdf_end_page (Pdf *pdf);
+
+/* Writes the file, unless @file is NULL, and lets it go.
+ *
+ * Returns: FALSE with @error set when painting or writing failed. */
+gboolean pdf_end (Pdf *pdf, FILE *file, GError **error);
+
+G_END_DECLS
+
+#endif

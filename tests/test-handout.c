@@ -1,0 +1,105 @@
+/* Handouts of one lesson, in all parts. What poppler reads in them is judged
+ * by test-handout-cli.py. */
+#include "handout.h"
+
+#include <string.h>
+
+static const char lesson_text[]
+    = "# What a site sees\n\nWords & <more> words.\n\n"
+      "> Note: Sources: somebody 1996.\n\n"
+      "```lesson\nformat 1\n"
+      "sites -0.6 -0.5; 0.7 -0.4; 0.1 0.8; 0.0 0.1; 0.3 -0.1\nminutes "
+      "4\n```\n\n"
+      "## First\n\nA *long* story & its **end**.\n\n"
+      "```steps\ngoto round 1 choose\n```\n\n"
+      "## Second\n\n```ask\nbefore round 1 see\nclick visible-facets\n```\n\n"
+      "> Note: wait.\n\n"
+      "## Third\n\n```ask\nbefore round 1 horizon\nnumber horizon\n```\n\n"
+      "## Fourth\n\n```ask\nbefore round 1 cone\nchoose one\n"
+      "option more if cone = visible + 2\noption fewer if cone < visible\n"
+      "```\n\n"
+      "## Fifth\n\n```steps\ngoto round 1 cone\n```\n\n"
+      "## Sixth\n\n```steps\nsites 0 0; 1 0; 0 1; 1 1.5; 0.5 0.25\n```\n\n"
+      "```ask\nbefore round 1\norder phases\n```\n\n"
+      "## Seventh\n\n```ask\ncomplete\ndrag s4 until only-upper\n```\n\n"
+      "## Eighth\n\n```ask\ncomplete\nalways cone = visible + 2\n```\n";
+
+static Session *
+session_with_lesson (void)
+{
+  g_autoptr (GError) error = NULL;
+  g_autoptr (Lesson) lesson
+      = lesson_parse (lesson_text, strlen (lesson_text), "test.md", &error);
+  Session *session = session_new ();
+
+  g_assert_no_error (error);
+  session_set_lesson (session, lesson);
+  return session;
+}
+
+static GBytes *
+write_handout (const HandoutOptions *options)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (GError) error = NULL;
+  GByteArray *bytes = g_byte_array_new ();
+  FILE *file = tmpfile ();
+  guint8 buffer[4096];
+  gsize n;
+
+  g_assert_true (handout_write (session, options, file, &error));
+  g_assert_no_error (error);
+  rewind (file);
+  while ((n = fread (buffer, 1, sizeof buffer, file)) > 0)
+    g_byte_array_append (bytes, buffer, (guint)n);
+  fclose (file);
+  return g_byte_array_free_to_bytes (bytes);
+}
+
+static void
+test_same_bytes (void)
+{
+  /* Notes, blanks, steps, key, stops; each of them with and without another. */
+  static const guint choices[] = { 0, 1 | 16, 2 | 8 | 16, 4 | 8, 16 };
+
+  for (guint i = 0; i < G_N_ELEMENTS (choices); i++) {
+    const guint bits = choices[i];
+    HandoutOptions options;
+    g_autoptr (GBytes) first = NULL, second = NULL;
+
+    handout_options_init (&options);
+    options.has_notes = (bits & 1) != 0;
+    options.has_blanks = (bits & 2) != 0;
+    options.has_steps = (bits & 4) != 0;
+    options.has_key = (bits & 8) != 0;
+    options.has_stops = (bits & 16) != 0;
+    first = write_handout (&options);
+    second = write_handout (&options);
+    g_assert_true (g_bytes_equal (first, second));
+  }
+}
+
+static void
+test_full_disk (void)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (GError) error = NULL;
+  FILE *file = fopen ("/dev/full", "wb");
+  HandoutOptions options;
+
+  g_assert_nonnull (file);
+  handout_options_init (&options);
+  g_assert_false (handout_write (session, &options, file, &error));
+  g_assert_error (error, G_IO_ERROR, G_IO_ERROR_NO_SPACE);
+  fclose (file);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/handout/the-same-parts-give-the-same-bytes",
+                   test_same_bytes);
+  g_test_add_func ("/handout/a-full-disk-is-said", test_full_disk);
+  return g_test_run ();
+}
