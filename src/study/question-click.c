@@ -305,6 +305,7 @@ static const ClickKind kinds[] = {
     .target = OBJECT_VERTEX,
     .event = PHASE_SEE,
     .mask = MASK_ROUND,
+    .item = N_ ("triangle f%u"),
     .prompt = N_ ("Click every triangle **whose circle contains {p}**."),
     .collect = collect_circles,
     .why = reason_circle },

@@ -14,6 +14,8 @@ struct ClickKind {
   Phase event;        /* of its round, whose events give it away; START:
                          the step itself is asked about */
   guint mask;         /* SceneMask bits */
+  const char *item;   /* English: what one is called by its number, %u; NULL:
+                         its name */
   const char *prompt; /* English; {p} site in hand, {f} its facet, {a}
                          argument */
   void (*collect) (const Question *question,

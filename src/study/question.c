@@ -292,11 +292,25 @@ phase_text (guint phase)
   return "";
 }
 
+/* The one place of @format is for a number, also in other languages. */
+static char *
+numbered (const char *format, guint32 number)
+{
+  g_auto (GStrv) parts = g_strsplit (format, "%u", 2);
+
+  if (parts[0] == NULL || parts[1] == NULL)
+    return g_strdup (format);
+  return g_strdup_printf ("%s%u%s", parts[0], number, parts[1]);
+}
+
 char *
 question_item_text (const Question *question, Object item)
 {
   char name[OBJECT_NAME_ROOM];
 
+  if (item.kind != OBJECT_NONE && question->click != NULL
+      && question->click->item != NULL)
+    return numbered (_ (question->click->item), item.number);
   if (item.kind != OBJECT_NONE) {
     object_name_write (item, name);
     return g_strdup (name);
