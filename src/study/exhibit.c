@@ -184,8 +184,8 @@ static const char *
 side_word (int sign)
 {
   if (sign == 0)
-    return N_ ("in line");
-  return sign > 0 ? N_ ("left") : N_ ("right");
+    return N_ ("no turn");
+  return sign > 0 ? N_ ("a left turn") : N_ ("a right turn");
 }
 
 static const char *
