@@ -44,12 +44,6 @@ static const MenuRow main_rows[] = {
 };
 
 static const MenuRow view_rows[] = {
-  { N_ ("Hull of the L_ifts"), "view::lifts" },
-  { N_ ("Hull in the Pla_ne"), "view::planar" },
-  { N_ ("T_wo Orders in the Plane"), "view::compare" },
-  { N_ ("Rounding: Si_gns"), "view::signs" },
-  { N_ ("Rounding: H_ull"), "view::rounded" },
-  { NULL, "" },
   { N_ ("_Hull"), "layer-hull" },
   { N_ ("_Paraboloid"), "layer-paraboloid" },
   { N_ ("_Delaunay Triangulation"), "layer-delaunay" },
@@ -62,16 +56,28 @@ static const MenuRow view_rows[] = {
   { N_ ("_Why It Works"), "layer-why" },
   { N_ ("Pre_view of a Click"), "layer-preview" },
   { NULL, "" },
+  { N_ ("Look _Up, Unmirrored"), "camera-look-up-unmirrored" },
+  { N_ ("_Fit Both Pictures"), "fit" },
+  { N_ ("_Space in Its Own Window"), "detach-space" },
+  { N_ ("Full _Screen"), "fullscreen" },
+  { NULL, NULL },
+};
+
+static const MenuRow exhibit_rows[] = {
+  { N_ ("Hull of the _Lifts"), "view::lifts" },
+  { N_ ("Hull in the _Plane"), "view::planar" },
+  { N_ ("_Two Orders in the Plane"), "view::compare" },
+  { N_ ("Rounding: _Signs"), "view::signs" },
+  { N_ ("Rounding: _Hull"), "view::rounded" },
+  { NULL, NULL },
+};
+
+static const MenuRow panel_rows[] = {
   { N_ ("_Lesson"), "panel-lesson" },
   { N_ ("Pseudo-c_ode"), "panel-code" },
   { N_ ("Coun_ters"), "panel-counters" },
   { N_ ("Le_gend"), "panel-legend" },
   { N_ ("N_arration"), "panel-narration" },
-  { NULL, "" },
-  { N_ ("Look _Up, Unmirrored"), "camera-look-up-unmirrored" },
-  { N_ ("_Fit Both Pictures"), "fit" },
-  { N_ ("_Space in Its Own Window"), "detach-space" },
-  { N_ ("Full _Screen"), "fullscreen" },
   { NULL, NULL },
 };
 
@@ -147,20 +153,28 @@ make_scale_menu (const char *name)
   return G_MENU_MODEL (menu);
 }
 
+/* Menus within the menu, so that all of it fits on a small screen. */
 static void
 append_looks (GMenu *menu)
 {
+  static const struct {
+    const char *text;
+    const MenuRow *rows;
+  } submenus[] = {
+    { N_ ("What Is Sho_wn"), exhibit_rows }, { N_ ("Pic_tures"), picture_rows },
+    { N_ ("Pane_ls"), panel_rows },          { N_ ("Listin_g"), listing_rows },
+    { N_ ("The_me"), theme_rows },
+  };
   static const MenuRow scales[] = { { N_ ("Weight of L_ines"), "line-scale" },
                                     { N_ ("Size of Mar_ks"), "mark-scale" },
                                     { N_ ("Si_ze of Names"), "text-scale" } };
   g_autoptr (GMenu) section = g_menu_new ();
-  g_autoptr (GMenuModel) pictures = make_menu (picture_rows, NULL);
-  g_autoptr (GMenuModel) listings = make_menu (listing_rows, NULL);
-  g_autoptr (GMenuModel) themes = make_menu (theme_rows, NULL);
 
-  g_menu_append_submenu (section, _ ("Pic_tures"), pictures);
-  g_menu_append_submenu (section, _ ("Listin_g"), listings);
-  g_menu_append_submenu (section, _ ("The_me"), themes);
+  for (guint i = 0; i < G_N_ELEMENTS (submenus); i++) {
+    g_autoptr (GMenuModel) submenu = make_menu (submenus[i].rows, NULL);
+
+    g_menu_append_submenu (section, _ (submenus[i].text), submenu);
+  }
   for (guint i = 0; i < G_N_ELEMENTS (scales); i++) {
     g_autoptr (GMenuModel) submenu = make_scale_menu (scales[i].action);
 
