@@ -41,13 +41,14 @@ static GBytes *
 write_handout (const HandoutOptions *options)
 {
   g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Handout) handout = handout_new (session, options);
   g_autoptr (GError) error = NULL;
   GByteArray *bytes = g_byte_array_new ();
   FILE *file = tmpfile ();
   guint8 buffer[4096];
   gsize n;
 
-  g_assert_true (handout_write (session, options, file, &error));
+  g_assert_true (handout_write (handout, file, &error));
   g_assert_no_error (error);
   rewind (file);
   while ((n = fread (buffer, 1, sizeof buffer, file)) > 0)
@@ -79,17 +80,51 @@ test_same_bytes (void)
   }
 }
 
+/* Pages are painted for the screen in any order, and have ink. */
+static void
+test_pages_are_painted_by_themselves (void)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Handout) handout = NULL;
+  HandoutOptions options;
+
+  handout_options_init (&options);
+  options.has_stops = options.has_blanks = options.has_key = TRUE;
+  handout = handout_new (session, &options);
+  g_assert_cmpuint (handout_count_pages (handout), >, 2);
+  for (guint page = handout_count_pages (handout); page-- > 0;) {
+    cairo_surface_t *surface
+        = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 595, 842);
+    cairo_t *cr = cairo_create (surface);
+    gsize n_dark = 0;
+
+    handout_paint (handout, page, cr);
+    cairo_surface_flush (surface);
+    for (gsize i = 0; i < 595 * 842; i++)
+      n_dark += ((guint32 *)(gpointer)cairo_image_surface_get_data (surface))[i]
+                    % 256
+                < 128;
+    g_assert_cmpuint (n_dark, >, 1000);
+    g_assert_cmpuint (n_dark, <, 595 * 842 / 4);
+    g_assert_cmpint (cairo_status (cr), ==, CAIRO_STATUS_SUCCESS);
+    cairo_destroy (cr);
+    cairo_surface_destroy (surface);
+  }
+}
+
 static void
 test_full_disk (void)
 {
   g_autoptr (Session) session = session_with_lesson ();
   g_autoptr (GError) error = NULL;
   FILE *file = fopen ("/dev/full", "wb");
+  g_autoptr (Handout) handout = NULL;
   HandoutOptions options;
 
   g_assert_nonnull (file);
   handout_options_init (&options);
-  g_assert_false (handout_write (session, &options, file, &error));
+  handout = handout_new (session, &options);
+  g_assert_false (handout_write (handout, file, &error));
   g_assert_error (error, G_IO_ERROR, G_IO_ERROR_NO_SPACE);
   fclose (file);
 }
@@ -100,6 +135,8 @@ main (int argc, char **argv)
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/handout/the-same-parts-give-the-same-bytes",
                    test_same_bytes);
+  g_test_add_func ("/handout/pages-are-painted-by-themselves",
+                   test_pages_are_painted_by_themselves);
   g_test_add_func ("/handout/a-full-disk-is-said", test_full_disk);
   return g_test_run ();
 }

@@ -212,6 +212,7 @@ static const char *const no_commands[] = {
   "save-as x.txt",
   "export-picture",
   "storyboard",
+  "handout",
   "run ls",
   "exec ls",
   "!ls",

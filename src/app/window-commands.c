@@ -202,6 +202,7 @@ static const struct {
   { "export-picture", window_picture_export },
   { "copy-picture", window_picture_copy },
   { "storyboard", window_files_storyboard },
+  { "handout", window_files_handout },
   { "shortcuts", run_shortcuts },
   { "about", run_about },
   { "close", run_close },

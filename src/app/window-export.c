@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "file-dialogs.h"
+#include "handout-dialog.h"
 #include "storyboard.h"
 
 #include <errno.h>
@@ -79,4 +80,68 @@ window_files_storyboard (Hull2vdWindow *window)
 {
   file_dialog_save (GTK_WINDOW (window), _ ("Export a Storyboard (.pdf)"),
                     _ ("storyboard.pdf"), on_storyboard_chosen, window);
+}
+
+/* Handouts */
+
+/* What was asked for, while the name of the file is asked for. */
+typedef struct HandoutExport {
+  Hull2vdWindow *window;
+  Lesson *lesson;
+  HandoutOptions options;
+} HandoutExport;
+
+static void
+handout_export_free (gpointer user)
+{
+  HandoutExport *export = user;
+
+  g_object_unref (export->window);
+  lesson_unref (export->lesson);
+  g_free (export);
+}
+
+static void
+on_handout_chosen (const char *path, gpointer user)
+{
+  HandoutExport *export = user;
+  g_autoptr (Session) session = session_new ();
+  g_autoptr (Handout) handout = NULL;
+  g_autoptr (GError) error = NULL;
+  Pages pages;
+  gboolean is_good;
+
+  session_set_lesson (session, export->lesson);
+  handout = handout_new (session, &export->options);
+  pages_open (&pages);
+  is_good = handout_write (handout, pages.file, &error);
+  if (!pages_close (&pages, path, is_good, error == NULL ? &error : NULL))
+    hull2vd_window_say (export->window, error->message);
+}
+
+static void
+on_handout_response (HandoutDialog *dialog, int response, HandoutExport *export)
+{
+  if (response == GTK_RESPONSE_ACCEPT) {
+    handout_dialog_fill (dialog, &export->options);
+    file_dialog_save_with (GTK_WINDOW (export->window),
+                           _ ("Export a Handout (.pdf)"), _ ("handout.pdf"),
+                           on_handout_chosen, export, handout_export_free);
+  } else
+    handout_export_free (export);
+  gtk_widget_destroy (GTK_WIDGET (dialog));
+}
+
+void
+window_files_handout (Hull2vdWindow *window)
+{
+  HandoutExport *export = g_new0 (HandoutExport, 1);
+  HandoutDialog *dialog;
+
+  export->window = g_object_ref (window);
+  export->lesson = lesson_ref (session_get_lesson (window->session));
+  dialog = handout_dialog_new (GTK_WINDOW (window), export->lesson);
+  g_signal_connect (dialog, "response", G_CALLBACK (on_handout_response),
+                    export);
+  gtk_window_present (GTK_WINDOW (dialog));
 }

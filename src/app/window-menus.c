@@ -36,6 +36,7 @@ static const MenuRow main_rows[] = {
   { NULL, "" },
   { N_ ("_Export Picture…"), "export-picture" },
   { N_ ("Export Story_board…"), "storyboard" },
+  { N_ ("Export _Handout…"), "handout" },
   { NULL, "" },
   { N_ ("_Keyboard Shortcuts"), "shortcuts" },
   { N_ ("_About Hull2VD"), "about" },

@@ -113,6 +113,7 @@ void window_files_save_now (Hull2vdWindow *window); /* for window-ask.c */
 void window_files_adapt (Hull2vdWindow *window);
 void window_files_save_as (Hull2vdWindow *window);
 void window_files_storyboard (Hull2vdWindow *window);
+void window_files_handout (Hull2vdWindow *window);
 gboolean window_files_load (Hull2vdWindow *window, const char *path);
 /* Whether there is work in the window that is in no file. */
 gboolean window_files_is_modified (Hull2vdWindow *window);

@@ -94,11 +94,12 @@ options_parse (Options *options,
 static CliStatus
 write_handout (Session *session, const Options *options)
 {
+  g_autoptr (Handout) handout = handout_new (session, &options->handout);
   GError *error = NULL;
   CliOutput output;
 
   cli_output_begin (&output);
-  if (handout_write (session, &options->handout, output.file, &error))
+  if (handout_write (handout, output.file, &error))
     return cli_output_end (&output, options->output);
   cli_output_drop (&output);
   cli_say ("%s: %s", options->output, error->message);

@@ -1,57 +1,7 @@
-#include "block.h"
-
-#include <pango/pangocairo.h>
-
-/* The condensed cut is what long words of some languages need; where it is
- * not installed the wide one stands in. */
-#define FAMILY "DejaVu Sans Condensed, DejaVu Sans, sans"
-#define CODE_FAMILY "DejaVu Sans Mono, monospace"
+#include "block-private.h"
 
 #define FRAME_WIDTH 0.5
 #define FRAME_GREY 0.5
-
-/* Nobody reads a first or last line that stands alone. */
-#define LEAST_LINES 2
-
-typedef struct Letters {
-  const char *family;
-  double size, leading; /* pt; of lines, as a factor */
-  PangoWeight weight;
-} Letters;
-
-static const Letters letters[] = {
-  [TEXT_TITLE] = { FAMILY, 20, 1.0, PANGO_WEIGHT_BOLD },
-  [TEXT_HEADING] = { FAMILY, 11.5, 1.0, PANGO_WEIGHT_BOLD },
-  [TEXT_LABEL] = { FAMILY, 8.5, 1.0, PANGO_WEIGHT_BOLD },
-  [TEXT_BODY] = { FAMILY, 9.25, 1.08, PANGO_WEIGHT_NORMAL },
-  [TEXT_SMALL] = { FAMILY, 8, 1.06, PANGO_WEIGHT_NORMAL },
-  [TEXT_CODE] = { CODE_FAMILY, 7.5, 1.06, PANGO_WEIGHT_NORMAL },
-};
-
-/* Press */
-
-/* Letters are measured as a printer sets them, not as a screen does. */
-void
-press_init (Press *press)
-{
-  PangoFontMap *map = pango_cairo_font_map_get_default ();
-  cairo_font_options_t *options = cairo_font_options_create ();
-
-  press->scale = 1;
-  press->context = pango_font_map_create_context (map);
-  cairo_font_options_set_hint_style (options, CAIRO_HINT_STYLE_NONE);
-  cairo_font_options_set_hint_metrics (options, CAIRO_HINT_METRICS_OFF);
-  pango_cairo_context_set_font_options (press->context, options);
-  pango_cairo_context_set_resolution (press->context, 72);
-  pango_context_set_round_glyph_positions (press->context, FALSE);
-  cairo_font_options_destroy (options);
-}
-
-void
-press_clear (Press *press)
-{
-  g_clear_object (&press->context);
-}
 
 /* Making */
 
@@ -61,7 +11,7 @@ part_free (gpointer part)
   block_free (part);
 }
 
-static Block *
+Block *
 block_new (BlockKind kind, double width)
 {
   Block *block = g_new0 (Block, 1);
@@ -70,89 +20,6 @@ block_new (BlockKind kind, double width)
   block->width = width;
   block->parts = g_ptr_array_new_with_free_func (part_free);
   return block;
-}
-
-static PangoLayout *
-layout_new (const Press *press, TextStyle style, const char *markup)
-{
-  const Letters *row = &letters[style];
-  PangoLayout *layout = pango_layout_new (press->context);
-  PangoFontDescription *font = pango_font_description_from_string (row->family);
-
-  pango_font_description_set_weight (font, row->weight);
-  pango_font_description_set_absolute_size (font, press->scale * row->size
-                                                      * PANGO_SCALE);
-  pango_layout_set_font_description (layout, font);
-  pango_layout_set_line_spacing (layout, (float)row->leading);
-  pango_layout_set_wrap (layout, PANGO_WRAP_WORD_CHAR);
-  pango_layout_set_markup (layout, markup, -1);
-  pango_font_description_free (font);
-  return layout;
-}
-
-/* Where lines @first … @last - 1 begin and end, or as many of them as end
- * within @most.
- *
- * Returns: the line after them. */
-static int
-measure_lines (
-    PangoLayout *layout, int first, int last, double most, double *height)
-{
-  PangoLayoutIter *iter = pango_layout_get_iter (layout);
-  PangoRectangle extents;
-  int line = 0, top = 0;
-
-  *height = 0;
-  do {
-    pango_layout_iter_get_line_extents (iter, NULL, &extents);
-    if (line == first)
-      top = extents.y;
-    if (line >= first) {
-      const double bottom
-          = (double)(extents.y + extents.height - top) / PANGO_SCALE;
-
-      if (bottom > most)
-        break;
-      *height = bottom;
-    }
-    line += 1;
-  } while (line < last && pango_layout_iter_next_line (iter));
-  pango_layout_iter_free (iter);
-  return line;
-}
-
-static Block *
-text_new (PangoLayout *layout, double width)
-{
-  Block *block = block_new (BLOCK_TEXT, width);
-
-  block->layout = layout;
-  block->last = pango_layout_get_line_count (layout);
-  measure_lines (layout, 0, block->last, G_MAXDOUBLE, &block->height);
-  block->tag = "P";
-  return block;
-}
-
-Block *
-block_text (const Press *press,
-            TextStyle style,
-            double width,
-            const char *markup)
-{
-  PangoLayout *layout = layout_new (press, style, markup);
-
-  pango_layout_set_width (layout, (int)(width * PANGO_SCALE));
-  return text_new (layout, width);
-}
-
-Block *
-block_word (const Press *press, TextStyle style, const char *markup)
-{
-  PangoLayout *layout = layout_new (press, style, markup);
-  int width;
-
-  pango_layout_get_size (layout, &width, NULL);
-  return text_new (layout, (double)width / PANGO_SCALE);
 }
 
 Block *
@@ -271,29 +138,6 @@ block_unfold (Block *block, double most)
   measure (block);
 }
 
-static Block *
-split_text (Block *block, double height)
-{
-  double taken;
-  const int fitting = measure_lines (block->layout, block->first, block->last,
-                                     height, &taken);
-  const int line = MIN (fitting, block->last - LEAST_LINES);
-  Block *rest;
-
-  if (line < block->first + LEAST_LINES)
-    return NULL;
-  rest = block_new (BLOCK_TEXT, block->width);
-  rest->layout = g_object_ref (block->layout);
-  rest->first = line;
-  rest->last = block->last;
-  rest->tag = block->tag;
-  measure_lines (rest->layout, line, rest->last, G_MAXDOUBLE, &rest->height);
-  block->last = line;
-  measure_lines (block->layout, block->first, line, G_MAXDOUBLE,
-                 &block->height);
-  return rest;
-}
-
 static const Block *
 get_part (const Block *block, guint index)
 {
@@ -365,7 +209,7 @@ block_split (Block *block, double height)
 {
   switch (block->kind) {
   case BLOCK_TEXT:
-    return split_text (block, height);
+    return block_split_text (block, height);
   case BLOCK_STACK:
     return split_stack (block, height);
   case BLOCK_DRAWING:
@@ -376,29 +220,6 @@ block_split (Block *block, double height)
 }
 
 /* Painting */
-
-static void
-paint_text (const Block *block, cairo_t *cr)
-{
-  PangoLayoutIter *iter = pango_layout_get_iter (block->layout);
-  int top = 0, line = 0;
-  PangoRectangle extents;
-
-  do {
-    pango_layout_iter_get_line_extents (iter, NULL, &extents);
-    if (line == block->first)
-      top = extents.y;
-    if (line >= block->first) {
-      cairo_move_to (cr, (double)extents.x / PANGO_SCALE,
-                     (double)(pango_layout_iter_get_baseline (iter) - top)
-                         / PANGO_SCALE);
-      pango_cairo_show_layout_line (cr,
-                                    pango_layout_iter_get_line_readonly (iter));
-    }
-    line += 1;
-  } while (line < block->last && pango_layout_iter_next_line (iter));
-  pango_layout_iter_free (iter);
-}
 
 static void
 paint_frame (const Block *block, cairo_t *cr)
@@ -435,7 +256,7 @@ paint_content (const Block *block, cairo_t *cr)
   if (block->has_frame)
     paint_frame (block, cr);
   if (block->kind == BLOCK_TEXT)
-    paint_text (block, cr);
+    block_paint_text (block, cr);
   else if (block->kind == BLOCK_DRAWING)
     block->draw (cr, block->width, block->height, block->data);
   else

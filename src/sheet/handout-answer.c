@@ -217,7 +217,7 @@ add_entry (Handout *handout, guint stop)
   stack->name = handout_key_name (stop);
   heading->tag = "H2";
   heading->keeps = TRUE;
-  if (handout->options->has_stops)
+  if (handout->options.has_stops)
     heading->link = handout_stop_name (stop);
   block_add (stack, heading);
   block_add (columns, handout_picture (handout, stop, MOMENT_SHOWN, left));

@@ -16,15 +16,15 @@ G_BEGIN_DECLS
 #define PART_GAP 6.0
 #define STOP_GAP 16.0
 
-typedef struct Handout {
+struct Handout {
   Session *session;
-  const Lesson *lesson;
-  const HandoutOptions *options;
+  Lesson *lesson;
+  HandoutOptions options;
   Press press;
   Pages *pages;
   double width;      /* of a page's blocks */
   gboolean has_part; /* some part is set already */
-} Handout;
+};
 
 /* Parts; each adds its blocks to the pages. */
 void handout_add_page (Handout *handout);

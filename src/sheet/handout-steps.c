@@ -114,7 +114,7 @@ static Block *
 panel_new (const Film *film, const RoundRow *round, guint panel, double width)
 {
   const Handout *handout = film->handout;
-  const Appearance *appearance = &handout->options->appearance;
+  const Appearance *appearance = &handout->options.appearance;
   const Moment moment
       = { film->session, MOMENT_NONE, MOMENT_SHOWN, panel_step (round, panel) };
   Block *stack = block_stack (width);

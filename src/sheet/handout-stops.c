@@ -69,7 +69,7 @@ choose_face (Print *print)
 
   *moment
       = (Moment){ handout->session, print->stop, MOMENT_SHOWN, MOMENT_NONE };
-  if (!handout->options->has_blanks)
+  if (!handout->options.has_blanks)
     return;
   if (handout_asks (handout, print->stop))
     moment->face = MOMENT_ASKED;
@@ -171,7 +171,7 @@ left_column (const Print *print, double width)
       = is_listed_before (print) ? NULL : handout_listing (handout, width);
 
   block_add (stack, moment_block (&print->moment, MOMENT_VIEWS,
-                                  &handout->options->appearance, width,
+                                  &handout->options.appearance, width,
                                   width / PICTURE_RATIO));
   if (titles != NULL)
     block_add_below (stack, titles, 3);
@@ -219,7 +219,7 @@ static Block *
 heading (const Handout *handout, guint stop)
 {
   const char *title = lesson_stop (handout->lesson, stop)->title;
-  g_autofree char *time = handout->options->has_notes
+  g_autofree char *time = handout->options.has_notes
                               ? handout_time_of (handout->lesson, stop)
                               : g_strdup ("");
   g_autofree char *numbered = g_strdup_printf ("%u  %s", stop + 1, title);
@@ -282,7 +282,7 @@ add_stop (Handout *handout, guint stop)
     add_wide (&print, stack);
   else
     add_narrow (&print, stack);
-  if (handout->options->has_notes && row->note != NULL)
+  if (handout->options.has_notes && row->note != NULL)
     block_add_below (stack, handout_note (handout, row->note), PART_GAP);
   pages_add (handout->pages, stack, STOP_GAP);
 }
@@ -290,7 +290,7 @@ add_stop (Handout *handout, guint stop)
 void
 handout_add_stops (Handout *handout)
 {
-  if (handout->options->has_notes)
+  if (handout->options.has_notes)
     handout_add_timetable (handout);
   for (guint i = 0; i < handout->lesson->stops->len; i++)
     add_stop (handout, i);

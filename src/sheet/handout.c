@@ -51,7 +51,7 @@ handout_picture (const Handout *handout,
 {
   const Moment moment = { handout->session, stop, face, MOMENT_NONE };
 
-  return moment_block (&moment, MOMENT_VIEWS, &handout->options->appearance,
+  return moment_block (&moment, MOMENT_VIEWS, &handout->options.appearance,
                        width, width / PICTURE_RATIO);
 }
 
@@ -186,7 +186,7 @@ handout_add_lines (Handout *handout)
 static void
 add_parts (Handout *handout)
 {
-  const HandoutOptions *options = handout->options;
+  const HandoutOptions *options = &handout->options;
   Block *sources;
 
   if (!options->has_stops && !options->has_steps && !options->has_key) {
@@ -207,26 +207,58 @@ add_parts (Handout *handout)
     handout_add_lines (handout);
 }
 
-gboolean
-handout_write (Session *session,
-               const HandoutOptions *options,
-               FILE *file,
-               GError **error)
+Handout *
+handout_new (Session *session, const HandoutOptions *options)
 {
-  const Lesson *lesson = session_get_lesson (session);
-  g_autoptr (Pages) pages = pages_new (options->paper);
-  g_auto (Press) press = { NULL, 1 };
-  Handout handout = { .session = session,
-                      .lesson = lesson,
-                      .options = options,
-                      .pages = pages,
-                      .width = pages_width (pages) };
-  PdfWords words = { .subject = _ ("A lesson of Hull2VD") };
+  Handout *handout = g_new0 (Handout, 1);
 
-  g_assert (lesson != NULL);
-  words.title = lesson->title;
-  press_init (&press);
-  handout.press = press;
-  add_parts (&handout);
-  return pages_write (pages, &press, &words, file, error);
+  g_assert (session_get_lesson (session) != NULL);
+  handout->session = g_object_ref (session);
+  handout->lesson = lesson_ref (session_get_lesson (session));
+  handout->options = *options;
+  handout->pages = pages_new (options->paper);
+  handout->width = pages_width (handout->pages);
+  press_init (&handout->press);
+  add_parts (handout);
+  pages_count (handout->pages);
+  return handout;
+}
+
+void
+handout_free (Handout *handout)
+{
+  pages_free (handout->pages);
+  press_clear (&handout->press);
+  lesson_unref (handout->lesson);
+  g_object_unref (handout->session);
+  g_free (handout);
+}
+
+guint
+handout_count_pages (const Handout *handout)
+{
+  return pages_count (handout->pages);
+}
+
+static PdfWords
+words_of (const Handout *handout)
+{
+  return (PdfWords){ .title = handout->lesson->title,
+                     .subject = _ ("A lesson of Hull2VD") };
+}
+
+void
+handout_paint (const Handout *handout, guint page, cairo_t *cr)
+{
+  const PdfWords words = words_of (handout);
+
+  pages_paint (handout->pages, page, &handout->press, &words, cr);
+}
+
+gboolean
+handout_write (const Handout *handout, FILE *file, GError **error)
+{
+  const PdfWords words = words_of (handout);
+
+  return pages_write (handout->pages, &handout->press, &words, file, error);
 }

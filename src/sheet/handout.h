@@ -1,4 +1,9 @@
-/* Handouts: a lesson on paper, as PDF.
+/* Handouts: a lesson on paper.
+ *
+ *   Handout *handout = handout_new (session, &options);
+ *
+ *   handout_write (handout, file, &error);
+ *   handout_free (handout);
  *
  * Without options one page: the idea, pictures, terms and facts, questions in
  * short, sources. With options any of these parts, in this order:
@@ -35,14 +40,23 @@ typedef struct HandoutOptions {
 /* One page on A4, in the theme for print. */
 void handout_options_init (HandoutOptions *options);
 
-/* Writes the handout of the session's lesson; it must have one. Plays it, so
- * the session stands anywhere afterwards.
+typedef struct Handout Handout;
+
+/* Sets the pages of the session's lesson; it must have one. The session is
+ * played, now and while pages are painted, so it should be one of its own. */
+Handout *handout_new (Session *session, const HandoutOptions *options);
+void handout_free (Handout *handout);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (Handout, handout_free)
+
+guint handout_count_pages (const Handout *handout);
+
+/* Paints a page, from 0, on white. Units: pt. */
+void handout_paint (const Handout *handout, guint page, cairo_t *cr);
+
+/* Writes it as PDF.
  *
  * Returns: FALSE with @error set when writing failed. */
-gboolean handout_write (Session *session,
-                        const HandoutOptions *options,
-                        FILE *file,
-                        GError **error);
+gboolean handout_write (const Handout *handout, FILE *file, GError **error);
 
 G_END_DECLS
 

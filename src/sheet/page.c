@@ -9,6 +9,9 @@
 #define HEAD_Y 30.0 /* of the running heading */
 #define FOOT_Y 34.0 /* of the page number, from below */
 
+/* A reader that follows an entry of the outline shows so much above it. */
+#define OUTLINE_ABOVE 8.0
+
 /* What of a block that will be parted should stand under its heading. */
 #define BEGINNING 80.0
 
@@ -215,59 +218,89 @@ pages_room (Pages *pages)
 
 /* Painting */
 
-typedef struct Painting {
-  Pages *pages;
-  const Press *press;
-  const PdfWords *words;
-  Pdf pdf;
-  int parents[4]; /* of outlines, by level */
-} Painting;
-
 static void
-paint_margins (Painting *painting)
+paint_margins (const Pages *pages,
+               guint page,
+               const Press *press,
+               const char *title,
+               cairo_t *cr)
 {
-  const Pages *pages = painting->pages;
-  cairo_t *cr = painting->pdf.cr;
   const double right = MARGIN_SIDE + pages_width (pages);
   const double foot = pages->paper->height - FOOT_Y;
-  g_autofree char *title = g_markup_escape_text (painting->words->title, -1);
+  g_autofree char *markup = g_markup_escape_text (title, -1);
   /* Translators: page number and number of pages, at the foot of a page. */
-  g_autofree char *number = g_strdup_printf (
-      _ ("Page %u of %u"), painting->pdf.page, pages->n_pages);
+  g_autofree char *number
+      = g_strdup_printf (_ ("Page %u of %u"), page + 1, pages->n_pages);
   g_autoptr (Block) head
-      = block_text (painting->press, TEXT_SMALL, pages_width (pages), title);
-  g_autoptr (Block) count = block_word (painting->press, TEXT_SMALL, number);
-  g_autoptr (Block) maker = block_word (painting->press, TEXT_SMALL, "Hull2VD");
+      = block_text (press, TEXT_SMALL, pages_width (pages), markup);
+  g_autoptr (Block) count = block_word (press, TEXT_SMALL, number);
+  g_autoptr (Block) maker = block_word (press, TEXT_SMALL, "Hull2VD");
 
   /* The heading of a long title is its first line. */
   head->last = 1;
   head->tag = count->tag = maker->tag = NULL;
-  if (painting->pdf.page > 1)
+  if (page > 0)
     block_paint (head, cr, MARGIN_SIDE, HEAD_Y);
   block_paint (maker, cr, MARGIN_SIDE, foot);
   block_paint (count, cr, right - count->width, foot);
 }
 
-static void
-add_outline (Painting *painting, const Block *block, double y)
+/* The first entry of a page. */
+static guint
+first_of (const Pages *pages, guint page)
 {
-  if (block->title != NULL && block->level < G_N_ELEMENTS (painting->parents)) {
-    const int entry
-        = pdf_add_outline (&painting->pdf, painting->parents[block->level - 1],
-                           block->title, MARGIN_SIDE, MAX (y - 8, 0));
+  guint i = 0;
 
-    for (guint i = block->level; i < G_N_ELEMENTS (painting->parents); i++)
-      painting->parents[i] = entry;
-  }
+  while (i < pages->entries->len && get_entry (pages, i)->page < page)
+    i += 1;
+  return i;
 }
 
 static void
-paint_entry (Painting *painting, const Entry *entry)
+paint_entries (const Pages *pages, guint page, cairo_t *cr)
 {
-  const double y = MARGIN_TOP + entry->y;
+  for (guint i = first_of (pages, page);
+       i < pages->entries->len && get_entry (pages, i)->page == page; i++)
+    block_paint (get_entry (pages, i)->block, cr, MARGIN_SIDE,
+                 MARGIN_TOP + get_entry (pages, i)->y);
+}
 
-  add_outline (painting, entry->block, y);
-  block_paint (entry->block, painting->pdf.cr, MARGIN_SIDE, y);
+void
+pages_paint (Pages *pages,
+             guint page,
+             const Press *press,
+             const PdfWords *words,
+             cairo_t *cr)
+{
+  g_assert (page < pages_count (pages));
+  cairo_set_source_rgb (cr, 1, 1, 1);
+  cairo_rectangle (cr, 0, 0, pages->paper->width, pages->paper->height);
+  cairo_fill (cr);
+  cairo_set_source_rgb (cr, 0, 0, 0);
+  paint_margins (pages, page, press, words->title, cr);
+  paint_entries (pages, page, cr);
+}
+
+/* Writing */
+
+/* The entries of the outline that are in hand, by level. */
+typedef struct Outline {
+  int entries[4];
+} Outline;
+
+static void
+add_outline (Pdf *pdf, Outline *outline, const Entry *entry)
+{
+  const Block *block = entry->block;
+  int added;
+
+  if (block->title == NULL || block->level >= G_N_ELEMENTS (outline->entries))
+    return;
+  added
+      = pdf_add_outline (pdf, outline->entries[block->level - 1], block->title,
+                         MARGIN_SIDE, MARGIN_TOP + entry->y - OUTLINE_ABOVE);
+  for (guint i = block->level; i < G_N_ELEMENTS (outline->entries); i++)
+    outline->entries[i] = added;
 }
 
 gboolean
@@ -277,18 +310,20 @@ pages_write (Pages *pages,
              FILE *file,
              GError **error)
 {
-  Painting painting = { .pages = pages, .press = press, .words = words };
   const guint n_pages = pages_count (pages);
+  Outline outline = { { CAIRO_PDF_OUTLINE_ROOT } };
   guint next = 0;
+  Pdf pdf;
 
-  pdf_begin (&painting.pdf, pages->paper, words);
-  cairo_tag_begin (painting.pdf.cr, "Document", NULL);
+  pdf_begin (&pdf, pages->paper, words);
+  cairo_tag_begin (pdf.cr, "Document", NULL);
   for (guint page = 0; page < n_pages; page++) {
-    paint_margins (&painting);
-    while (next < pages->entries->len && get_entry (pages, next)->page == page)
-      paint_entry (&painting, get_entry (pages, next++));
-    pdf_end_page (&painting.pdf);
+    paint_margins (pages, page, press, words->title, pdf.cr);
+    for (; next < first_of (pages, page + 1); next++)
+      add_outline (&pdf, &outline, get_entry (pages, next));
+    paint_entries (pages, page, pdf.cr);
+    pdf_end_page (&pdf);
   }
-  cairo_tag_end (painting.pdf.cr, "Document");
-  return pdf_end (&painting.pdf, file, error);
+  cairo_tag_end (pdf.cr, "Document");
+  return pdf_end (&pdf, file, error);
 }

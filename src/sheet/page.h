@@ -40,6 +40,13 @@ guint pages_count (Pages *pages);
 /* Returns: the room that is left on the last page. */
 double pages_room (Pages *pages);
 
+/* Paints a page, from 0, on white, with its running heading and number. */
+void pages_paint (Pages *pages,
+                  guint page,
+                  const Press *press,
+                  const PdfWords *words,
+                  cairo_t *cr);
+
 /* Writes all pages, with a running heading and numbers.
  *
  * Returns: FALSE with @error set when writing failed. */
