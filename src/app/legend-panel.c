@@ -3,6 +3,7 @@
 #include <glib/gi18n.h>
 
 #define SWATCH_WIDTH 30
+#define NAME_CHARACTERS 14 /* to a line; longer ones have two */
 #define SWATCH_HEIGHT 18
 
 struct _LegendPanel {
@@ -264,7 +265,8 @@ add_row (LegendPanel *panel, Role role)
   g_signal_connect (swatch, "draw", G_CALLBACK (on_draw_swatch),
                     GINT_TO_POINTER ((int)role));
   gtk_label_set_xalign (GTK_LABEL (name), 0);
-  gtk_label_set_ellipsize (GTK_LABEL (name), PANGO_ELLIPSIZE_END);
+  gtk_label_set_line_wrap (GTK_LABEL (name), TRUE);
+  gtk_label_set_max_width_chars (GTK_LABEL (name), NAME_CHARACTERS);
   gtk_widget_set_hexpand (name, TRUE);
   gtk_container_add (GTK_CONTAINER (box), swatch);
   gtk_container_add (GTK_CONTAINER (box), name);

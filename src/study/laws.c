@@ -60,12 +60,12 @@ add_facets (GPtrArray *laws, const Frame *frame)
   }
   add (laws, "facets", _ ("facets"),
        g_strdup_printf ("%u = 2·%u − 4", counts->facets, d));
-  add (laws, "lower", _ ("lower"),
+  add (laws, "lower", C_ ("counter", "lower"),
        g_strdup_printf ("%u = 2·%u − 2 − %u", counts->lower, d, b));
-  add (laws, "upper", _ ("upper"),
+  add (laws, "upper", C_ ("counter", "upper"),
        g_strdup_printf ("%u = %u − 2", counts->upper, h));
   if (counts->vertical > 0)
-    add (laws, "vertical", _ ("vertical"),
+    add (laws, "vertical", C_ ("counter", "vertical"),
          g_strdup_printf ("%u = %u − %u", counts->vertical, b, h));
 }
 
@@ -111,13 +111,13 @@ add_round (GPtrArray *laws, const Frame *frame)
 {
   const FrameCounts *counts = &frame->counts;
 
-  add (laws, "visible", _ ("visible"), number (counts->visible));
+  add (laws, "visible", C_ ("counter", "visible"), number (counts->visible));
   if (frame->place.phase < PHASE_HORIZON)
     return;
   add_found (laws, "horizon", _ ("horizon"), counts->horizon, counts->visible);
   add_found (laws, "cone", _ ("cone"), counts->cone, counts->visible);
   if (counts->retired > 0)
-    add (laws, "retired", _ ("retired"), number (counts->retired));
+    add (laws, "retired", C_ ("counter", "retired"), number (counts->retired));
 }
 
 static void
