@@ -2,7 +2,7 @@
 # Runs a command on a screen, a session bus and a home of its own, and takes
 # all of them away again: headless.sh COMMAND…
 # HULL2VD_SCREEN is the size of the screen, HULL2VD_SCALE its pixels to a px,
-# HULL2VD_TIMEOUT its seconds.
+# HULL2VD_TIMEOUT its seconds, HULL2VD_LANG the locale.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)

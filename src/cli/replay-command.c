@@ -1,4 +1,5 @@
 #include "cli.h"
+#include "lesson-words.h"
 #include "replay.h"
 
 /* All lessons are read before any is played.
@@ -11,7 +12,7 @@ load_all (char **paths, GPtrArray *lessons)
 
   for (; *paths != NULL; paths++) {
     GError *error = NULL;
-    Lesson *lesson = lesson_load (*paths, &error);
+    Lesson *lesson = lesson_words_load (*paths, &error);
 
     if (lesson != NULL) {
       g_ptr_array_add (lessons, lesson);
