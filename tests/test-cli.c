@@ -391,11 +391,47 @@ static const struct {
   { "/cli/no-window-system-is-linked", test_no_window_system_is_linked },
 };
 
+#define PROGRESS                                                               \
+  "{\"format\": 1, \"learner\": \"u\", \"lessons\": [{\"lesson\": \"a.md\", "  \
+  "\"title\": \"A, B\", \"stop\": 1, \"furthest\": 1, \"stops\": 3, "          \
+  "\"seconds\": 9, \"first\": 1, \"last\": 2, \"questions\": [{\"question\": " \
+  "\"q\", \"title\": \"T\", \"stop\": 1, \"outcome\": \"shown\", "             \
+  "\"total\": 3, \"correct\": 2, \"checks\": 1, \"hinted\": 1, "               \
+  "\"undone\": 0, \"seconds\": 4.5, \"answered\": 86400}]}]}"
+
+static void
+test_results_are_written_whole_or_not_at_all (void)
+{
+  g_auto (ScriptResult) csv = { 0 }, xapi = { 0 }, broken = { 0 };
+  g_auto (ScriptResult) missing = { 0 }, usage = { 0 };
+
+  script_put ("good.json", PROGRESS);
+  script_put ("broken.json", "{\"format\": 1,\n\"lessons\": oops");
+  script_run (&csv, "results good.json --name Ann");
+  g_assert_cmpint (csv.status, ==, 0);
+  g_assert_true (g_str_has_suffix (
+      csv.out, "\r\nAnn,a.md,\"A, B\",2,T,q,shown,3,2,1,1,0,4.5,"
+               "1970-01-02T00:00:00Z\r\n"));
+  script_run (&xapi, "results good.json -f xapi");
+  g_assert_nonnull (strstr (xapi.out, "\"scaled\":0.66"));
+  g_assert_nonnull (strstr (xapi.out, "\"duration\":\"PT4.5S\""));
+  script_run (&broken, "results broken.json -o out.csv");
+  g_assert_cmpint (broken.status, ==, 1);
+  g_assert_true (g_str_has_prefix (broken.err, "broken.json:"));
+  g_assert_false (script_exists ("out.csv"));
+  script_run (&missing, "results none.json -o out.csv");
+  g_assert_cmpint (missing.status, ==, 66);
+  script_run (&usage, "results good.json -f pdf");
+  g_assert_cmpint (usage.status, ==, 64);
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   for (guint i = 0; i < G_N_ELEMENTS (tests); i++)
     g_test_add_func (tests[i].name, tests[i].run);
+  g_test_add_func ("/cli/results-are-written-whole-or-not-at-all",
+                   test_results_are_written_whole_or_not_at_all);
   return script_test_run ();
 }

@@ -2,6 +2,7 @@
 
 #include "action.h"
 #include "lesson-list.h"
+#include "progress-keeper.h"
 #include "window-private.h"
 
 #include <glib/gi18n.h>
@@ -104,10 +105,13 @@ get_window (GApplication *application)
   return hull2vd_window_new (GTK_APPLICATION (application));
 }
 
+/* The lesson that the person was in, else the first one. */
 static void
 load_first_lesson (Hull2vdWindow *window)
 {
-  g_autofree char *path = lesson_list_first ();
+  g_autofree char *last = lesson_list_last (progress_keeper_get ());
+  g_autofree char *path
+      = last != NULL ? g_steal_pointer (&last) : lesson_list_first ();
 
   if (path != NULL)
     window_files_load (window, path);

@@ -306,6 +306,7 @@ hull2vd_window_init (Hull2vdWindow *window)
   window->session = session_new ();
   session_set_patient (window->session, TRUE);
   window->settings = settings_new ();
+  window_progress_init (window);
   connect_session (window);
   window_panes_init (window);
   window_layout_init (window);

@@ -1,7 +1,9 @@
 #include "lesson-panel.h"
 
+#include "lesson-summary.h"
 #include "prose.h"
 #include "question-card.h"
+#include "tooltips.h"
 
 #include <glib/gi18n.h>
 
@@ -10,7 +12,10 @@ struct _LessonPanel {
   Session *session;
   GtkScrolledWindow *scroll;
   GtkWidget *content; /* that scrolls */
+  GtkWidget *resume;
+  GtkLabel *resume_title;
   QuestionCard *card;
+  LessonSummary *summary;
   GtkLabel *faults;
   GtkLabel *intro, *title, *text;
 };
@@ -57,6 +62,24 @@ show_freedom (LessonPanel *panel)
          "Then step through QuickHull below, or open a lesson at the top."));
 }
 
+/* Where the person was another time is offered, not gone to. */
+static void
+show_resume (LessonPanel *panel)
+{
+  const Lesson *lesson = session_get_lesson (panel->session);
+  g_autofree char *text = NULL;
+  guint stop;
+
+  gtk_widget_set_visible (panel->resume,
+                          session_can_resume (panel->session, &stop));
+  if (!session_can_resume (panel->session, &stop))
+    return;
+  text = g_strdup_printf (_ ("Go on at stop %u: %s"), stop + 1,
+                          lesson_stop (lesson, stop)->title);
+  gtk_label_set_text (panel->resume_title, text);
+  tooltips_set (panel->resume, "resume", text);
+}
+
 static void
 update (LessonPanel *panel)
 {
@@ -67,6 +90,7 @@ update (LessonPanel *panel)
     show_stop (panel, lesson, stop);
   else
     show_freedom (panel);
+  show_resume (panel);
   gtk_adjustment_set_value (gtk_scrolled_window_get_vadjustment (panel->scroll),
                             0);
 }
@@ -108,6 +132,7 @@ lesson_panel_set_session (LessonPanel *panel, Session *session)
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), panel,
                            0);
   question_card_set_session (panel->card, session);
+  lesson_summary_set_session (panel->summary, session);
   update (panel);
 }
 
@@ -149,6 +174,7 @@ lesson_panel_class_init (LessonPanelClass *class)
   widget_class->get_preferred_height_for_width
       = lesson_panel_get_preferred_height_for_width;
   g_type_ensure (QUESTION_CARD_TYPE);
+  g_type_ensure (LESSON_SUMMARY_TYPE);
   gtk_widget_class_set_template_from_resource (
       widget_class, "/io/github/hull2vd/Hull2VD/lesson-panel.ui");
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, intro);
@@ -158,6 +184,10 @@ lesson_panel_class_init (LessonPanelClass *class)
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, content);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, card);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, faults);
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel, resume);
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel,
+                                        resume_title);
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel, summary);
 }
 
 static void

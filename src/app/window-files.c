@@ -4,6 +4,7 @@
 #include "file-dialogs.h"
 #include "lesson-copy.h"
 #include "point-import.h"
+#include "progress-keeper.h"
 #include "window-ask.h"
 #include "window-recent.h"
 
@@ -311,6 +312,7 @@ close_window (Hull2vdWindow *window, const char *path)
 {
   (void)path;
   window_layout_save (window);
+  progress_keeper_flush ();
   gtk_widget_destroy (GTK_WIDGET (window));
 }
 

@@ -3,6 +3,7 @@
 #include "action.h"
 #include "lesson-list.h"
 #include "look-popover.h"
+#include "progress-keeper.h"
 #include "window-recent.h"
 
 #include <glib/gi18n.h>
@@ -37,6 +38,8 @@ static const MenuRow main_rows[] = {
   { N_ ("_Export Picture…"), "export-picture" },
   { N_ ("Export Story_board…"), "storyboard" },
   { N_ ("Export _Handout…"), "handout" },
+  { N_ ("Export _Results…"), "export-results" },
+  { N_ ("_Forget Progress"), "clear-progress" },
   { NULL, "" },
   { N_ ("_Keyboard Shortcuts"), "shortcuts" },
   { N_ ("_About Hull2VD"), "about" },
@@ -184,27 +187,37 @@ append_looks (GMenu *menu)
   g_menu_append_section (menu, NULL, G_MENU_MODEL (section));
 }
 
+static void
+append_lesson (GMenu *menu, const LessonEntry *entry)
+{
+  const guint number = lesson_list_number (entry->path);
+  g_autofree char *done
+      = lesson_list_progress (progress_keeper_get (), entry->path);
+  g_autofree char *title
+      = done == NULL ? g_strdup (entry->title)
+                     : g_strdup_printf ("%s   (%s)", entry->title, done);
+  g_autofree char *text = number > 0
+                              ? g_strdup_printf ("%u   %s", number, title)
+                              : g_strdup (title);
+  g_autoptr (GMenuItem) item = g_menu_item_new (text, NULL);
+
+  g_menu_item_set_action_and_target (item, "win.open-file", "s", entry->path);
+  g_menu_append_item (menu, item);
+}
+
 /* Lessons are read when the menu is wanted for the first time. */
 static void
 on_lessons_wanted (GtkToggleButton *button, GMenu *menu)
 {
-  g_autoptr (GPtrArray) lessons = NULL;
+  static GPtrArray *lessons;
 
-  if (!gtk_toggle_button_get_active (button)
-      || g_menu_model_get_n_items (G_MENU_MODEL (menu)) > 0)
+  if (!gtk_toggle_button_get_active (button))
     return;
-  lessons = lesson_list_new ();
-  for (guint i = 0; i < lessons->len; i++) {
-    const LessonEntry *entry = g_ptr_array_index (lessons, i);
-    const guint number = lesson_list_number (entry->path);
-    g_autofree char *text
-        = number > 0 ? g_strdup_printf ("%u   %s", number, entry->title)
-                     : g_strdup (entry->title);
-    g_autoptr (GMenuItem) item = g_menu_item_new (text, NULL);
-
-    g_menu_item_set_action_and_target (item, "win.open-file", "s", entry->path);
-    g_menu_append_item (menu, item);
-  }
+  if (lessons == NULL)
+    lessons = lesson_list_new ();
+  g_menu_remove_all (menu);
+  for (guint i = 0; i < lessons->len; i++)
+    append_lesson (menu, g_ptr_array_index (lessons, i));
 }
 
 static void

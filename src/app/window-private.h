@@ -134,6 +134,12 @@ void window_space_init (Hull2vdWindow *window);
 void window_space_detach (Hull2vdWindow *window, gboolean detached);
 gboolean window_space_is_detached (Hull2vdWindow *window);
 
+/* window-progress.c: what the person has done in lessons. */
+void window_progress_init (Hull2vdWindow *window);
+void window_progress_export (Hull2vdWindow *window);
+void window_progress_clear (Hull2vdWindow *window);
+void window_progress_next_lesson (Hull2vdWindow *window);
+
 /* window-menus.c */
 void window_menus_init (Hull2vdWindow *window);
 

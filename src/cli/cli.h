@@ -39,6 +39,7 @@ CliStatus cli_export (const CliCommand *command, int argc, char **argv);
 CliStatus cli_storyboard (const CliCommand *command, int argc, char **argv);
 CliStatus cli_handout (const CliCommand *command, int argc, char **argv);
 CliStatus cli_questions (const CliCommand *command, int argc, char **argv);
+CliStatus cli_results (const CliCommand *command, int argc, char **argv);
 CliStatus cli_actions (const CliCommand *command, int argc, char **argv);
 
 /* Reads the options of a command; what is left is in *@arguments (transfer

@@ -27,6 +27,8 @@ static const CliCommand commands[] = {
   { "questions", "LESSON…",
     N_ ("Write the questions of lessons for Moodle (GIFT) or as QTI"),
     cli_questions },
+  { "results", "[FILE]", N_ ("Write what a person has answered in lessons"),
+    cli_results },
   { "actions", "", N_ ("List all actions by name"), cli_actions },
 };
 

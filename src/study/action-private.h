@@ -12,10 +12,11 @@ typedef struct ActionRows {
   guint n_rows;
 } ActionRows;
 
-extern const ActionRows action_rows_time;    /* time, questions, states */
-extern const ActionRows action_rows_perform; /* You be QuickHull */
-extern const ActionRows action_rows_look;    /* what is shown and how */
-extern const ActionRows action_rows_edit;    /* sites, and the window's own */
+extern const ActionRows action_rows_time;     /* time, questions, states */
+extern const ActionRows action_rows_perform;  /* You be QuickHull */
+extern const ActionRows action_rows_look;     /* what is shown and how */
+extern const ActionRows action_rows_edit;     /* sites, and the window's own */
+extern const ActionRows action_rows_progress; /* progress and results */
 
 #define ACTION_RUN(name)                                                       \
   gboolean name (const Action *action G_GNUC_UNUSED, Session *session,         \
@@ -92,6 +93,8 @@ ACTION_RUN (action_show_answer);
 ACTION_RUN (action_another);
 ACTION_RUN (action_continue);
 
+ACTION_RUN (action_resume);
+
 #define ACTION_STATE(name)                                                     \
   GVariant *name (const Action *action G_GNUC_UNUSED,                          \
                   Session *session G_GNUC_UNUSED)
@@ -150,6 +153,8 @@ ACTION_ENABLED (action_has_open_question);
 ACTION_ENABLED (action_can_another);
 ACTION_ENABLED (action_can_continue);
 ACTION_ENABLED (action_is_working);
+ACTION_ENABLED (action_can_resume);
+ACTION_ENABLED (action_has_progress);
 
 typedef enum ActionZoom {
   ZOOM_PLANE = 1,

@@ -3,8 +3,9 @@
 static GArray *
 join (void)
 {
-  const ActionRows *parts[] = { &action_rows_time, &action_rows_perform,
-                                &action_rows_look, &action_rows_edit };
+  const ActionRows *parts[]
+      = { &action_rows_time, &action_rows_perform, &action_rows_look,
+          &action_rows_edit, &action_rows_progress };
   GArray *table = g_array_new (FALSE, FALSE, sizeof (Action));
 
   for (guint i = 0; i < G_N_ELEMENTS (parts); i++)

@@ -152,6 +152,10 @@ session_set_lesson (Session *session, Lesson *lesson)
   session->lesson = lesson;
   session->stop = 0;
   session_question_forget (session);
+  /* The first question may have been answered another time. */
+  if (lesson != NULL
+      && session_state_of (session, 0) == lesson_stop (lesson, 0)->state)
+    session_put_state (session, NULL, lesson_stop (lesson, 0)->state);
   session_question_refresh (session);
   session_show_task (session);
   if (lesson != NULL && lesson->step_size >= 0)

@@ -62,6 +62,14 @@ struct _Session {
   gboolean is_replaying; /* a lesson's commands are carried out: no history,
                             and the stop does not follow the step */
 
+  Progress *progress;       /* NULL: none is kept */
+  const Lesson *keyed;      /* whose keys these are; to compare */
+  char *lesson_key;         /* of progress */
+  GPtrArray *question_keys; /* one for each stop; NULL: no question */
+  gboolean has_moved;       /* from the first stop of it */
+  guint noted_stop;
+  gint64 noted; /* when progress was noted last, µs; 0: not in this lesson */
+
   guint n_sites_made; /* by a lesson's commands, all sets together */
 
   gboolean is_patient;     /* large sets are worked on in a thread */
@@ -125,6 +133,14 @@ void session_question_settle (Session *session);
 
 /* Forgets all exercises: the lesson is another. */
 void session_question_forget (Session *session);
+
+/* Inside of session-progress.c: an exercise that has just begun is put where
+ * it was left. */
+void session_recall (Session *session, guint stop, Exercise *exercise);
+void session_progress_end (Session *session);
+
+/* Returns: the exercise of a stop, if it has begun. */
+const Exercise *session_begun_exercise (Session *session, guint stop);
 
 /* Returns: whether a question is open, and it is asked here. */
 gboolean session_question_is_open (Session *session);

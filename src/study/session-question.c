@@ -39,10 +39,20 @@ get_exercise (Session *session, guint stop)
   if (session->exercises->len < session->lesson->stops->len)
     g_ptr_array_set_size (session->exercises, (int)session->lesson->stops->len);
   exercise = &g_ptr_array_index (session->exercises, stop);
-  if (*exercise == NULL)
+  if (*exercise == NULL) {
     *exercise
         = exercise_new (row->question, row->ask_state->run, &row->occasion);
+    session_recall (session, stop, *exercise);
+  }
   return *exercise;
+}
+
+const Exercise *
+session_begun_exercise (Session *session, guint stop)
+{
+  return session->exercises == NULL || stop >= session->exercises->len
+             ? NULL
+             : g_ptr_array_index (session->exercises, stop);
 }
 
 const StopState *

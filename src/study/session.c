@@ -72,6 +72,7 @@ session_finalize (GObject *object)
   g_clear_pointer (&session->drag_run, run_unref);
   g_clear_pointer (&session->history, history_free);
   session_question_forget (session);
+  session_progress_end (session);
   g_array_unref (session->answers);
   g_clear_pointer (&session->lesson, lesson_unref);
   g_clear_pointer (&session->selected, g_array_unref);

@@ -19,6 +19,7 @@
 #include "lesson.h"
 #include "listing.h"
 #include "performance.h"
+#include "progress.h"
 #include "scene.h"
 
 #include <gio/gio.h>
@@ -392,6 +393,26 @@ gboolean session_end_performance (Session *session);
 /* Returns: (transfer full): the source of the sites that a seed has given, to
  *          have them again; "": the sites are others. */
 char *session_performance_sites (Session *session);
+
+/* What the person has done in lessons, if it is to be kept: from then on the
+ * session writes down what happens, and questions that were answered another
+ * time are answered. Whoever owns the file writes it. */
+void session_set_progress (Session *session, Progress *progress);
+Progress *session_get_progress (Session *session); /* NULL: none is kept */
+
+/* That of the lesson, and of the question of a stop; NULL: there is none. */
+const LessonRecord *session_get_record (Session *session);
+const QuestionRecord *session_get_record_of (Session *session, guint stop);
+
+/* Whether the person was further on another time, and has not gone anywhere
+ * yet; then session_resume() goes there. */
+gboolean session_can_resume (Session *session, guint *stop);
+gboolean session_resume (Session *session);
+
+/* Forgets all progress; its questions are open again.
+ *
+ * Returns: (transfer full): where the file of it is kept, or NULL. */
+char *session_clear_progress (Session *session);
 
 /* Carries out the commands of one stop, from the state of the stop before
  * it, and checks its expectations; replay is this for every stop.

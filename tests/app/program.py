@@ -34,10 +34,22 @@ def xdotool(*words):
                    stdout=subprocess.DEVNULL)
 
 
+def progress_path(name="progress.json"):
+    return os.path.join(os.environ["XDG_DATA_HOME"], "hull2vd", name)
+
+
+def forget_progress():
+    """What a program before has kept."""
+    if os.path.exists(progress_path()):
+        os.remove(progress_path())
+
+
 class Program:
     """The program with one window, from its start to its end."""
 
-    def __init__(self, *files):
+    def __init__(self, *files, keeps_progress=False):
+        if not keeps_progress:
+            forget_progress()
         self.bus = Gio.bus_get_sync(Gio.BusType.SESSION)
         xdotool("mousemove", 0, 0)
         wait(lambda: not self.is_on_bus(), "no other program")

@@ -1,0 +1,28 @@
+/* Rows of the action table: progress in lessons, and results. */
+#include "action-private.h"
+
+#include <glib/gi18n.h>
+
+static const Action rows[] = {
+  { .name = "resume",
+    .sentence = N_ ("Go on where you were in the lesson"),
+    .keys = "<Alt>Home",
+    .where = ACTION_IN_WINDOW,
+    .run = action_resume,
+    .is_enabled = action_can_resume },
+  { .name = "next-lesson",
+    .sentence = N_ ("Open the next lesson"),
+    .keys = "<Alt>Page_Down",
+    .where = ACTION_IN_WINDOW,
+    .is_enabled = action_has_lesson },
+  { .name = "export-results",
+    .sentence = N_ ("Save what you have answered"),
+    .where = ACTION_IN_WINDOW,
+    .is_enabled = action_has_progress },
+  { .name = "clear-progress",
+    .sentence = N_ ("Forget how far you are in all lessons"),
+    .where = ACTION_IN_WINDOW,
+    .is_enabled = action_has_progress },
+};
+
+const ActionRows action_rows_progress = { rows, G_N_ELEMENTS (rows) };
