@@ -33,6 +33,16 @@ is_shown (Canvas *canvas, guint facet)
                 == FACING_LOWER;
 }
 
+/* Of the hull's ridges only those of lower facets have a line there. */
+static gboolean
+is_ridge_shown (Canvas *canvas, guint ridge)
+{
+  const RidgeRow *row
+      = &session_get_trace (canvas_get_session (canvas))->ridges[ridge];
+
+  return is_shown (canvas, row->facet[0]) || is_shown (canvas, row->facet[1]);
+}
+
 /* Returns: (transfer full): all of them, sites first. */
 static GArray *
 list_objects (Canvas *canvas)
@@ -46,7 +56,8 @@ list_objects (Canvas *canvas)
     if (is_shown (canvas, frame->facets[i].facet))
       add (canvas, objects, OBJECT_FACET, frame->facets[i].facet);
   for (guint i = 0; i < frame->n_ridges; i++)
-    add (canvas, objects, OBJECT_RIDGE, frame->ridges[i].ridge);
+    if (is_ridge_shown (canvas, frame->ridges[i].ridge))
+      add (canvas, objects, OBJECT_RIDGE, frame->ridges[i].ridge);
   return objects;
 }
 

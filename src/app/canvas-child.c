@@ -1,5 +1,6 @@
 #include "canvas-child.h"
 
+#include "answer-objects.h"
 #include "canvas-menu.h"
 #include "canvas-name.h"
 
@@ -152,7 +153,13 @@ canvas_child_component_init (AtkComponentIface *interface)
 static void
 do_select (Canvas *canvas, Object object)
 {
-  session_set_selection (canvas_get_session (canvas), object);
+  Session *session = canvas_get_session (canvas);
+
+  /* While a question is open it is an answer, as a click is. */
+  if (session_is_answering (session))
+    canvas_answer (canvas, object);
+  else
+    session_set_selection (session, object);
 }
 
 static void

@@ -266,6 +266,16 @@ put_fresh (Session *session, const Run *run)
                          _ ("generation of sites"), NULL);
 }
 
+/* Both pictures, with what can be pointed at in them. */
+static void
+show_what_is_clicked (Session *session)
+{
+  session_set_views (session, VIEWS_BOTH);
+  session_set_layers (session, session->look.layers | LAYER_HULL
+                                   | LAYER_DELAUNAY | LAYER_LABELS);
+  session_set_lift (session, 1);
+}
+
 gboolean
 session_perform (Session *session, const char *source, GError **error)
 {
@@ -282,9 +292,9 @@ session_perform (Session *session, const char *source, GError **error)
   if (run == NULL || !can_perform (run, error))
     return FALSE;
   session_hold (session);
-  session_set_lesson (session, NULL);
   g_clear_pointer (&session->another, exercise_free);
   session_put_exhibit (session, EXHIBIT_LIFTS, session->step);
+  show_what_is_clicked (session);
   session_set_order (session, &order);
   if (fresh != NULL)
     put_fresh (session, run);
@@ -347,17 +357,27 @@ session_grade (Session *session)
 gboolean
 session_can_end_performance (Session *session)
 {
-  return session->lesson == NULL && session_performance (session) != NULL;
+  return session->another != NULL && session->another->performance != NULL;
 }
 
+/* A lesson goes back to its stop; else a person can go through the run that
+ * followed. */
 gboolean
 session_end_performance (Session *session)
 {
+  g_autoptr (Run) run = NULL;
+
   if (!session_can_end_performance (session))
     return FALSE;
+  run = run_ref (session->another->run);
   session_hold (session);
   g_clear_pointer (&session->another, exercise_free);
   session_set_selection (session, (Object){ OBJECT_NONE, 0 });
+  if (session->lesson != NULL) {
+    /* Of a person's own sites there is something to remember. */
+    session_put_run (session, run_ref (run), run->trace->n_events);
+    session_set_stop (session, session->stop);
+  }
   session_question_refresh (session);
   session_tell (session, CHANGED_QUESTION | CHANGED_LOOK);
   session_release (session);

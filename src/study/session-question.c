@@ -250,7 +250,7 @@ session_question_follow_run (Session *session)
   Exercise *exercise;
 
   /* A performance on a person's own sites ends with them. */
-  if (session->lesson == NULL && session->another != NULL
+  if (session_can_end_performance (session)
       && !session_question_owns_run (session, session->run)) {
     g_clear_pointer (&session->another, exercise_free);
     told (session, TRUE);

@@ -377,7 +377,7 @@ gboolean session_another (Session *session);
 const Performance *session_get_performance (Session *session); /* or NULL */
 
 /* Performs on the sites as they are, @source "", or on those of a source with
- * a seed; the lesson ends.
+ * a seed; a lesson waits until that is left. An edit ends it.
  *
  * Errors: ACTION_ERROR_PARAMETER, SESSION_ERROR_SITE. */
 gboolean session_perform (Session *session, const char *source, GError **error);
@@ -387,7 +387,7 @@ gboolean session_can_grade (Session *session);
 gboolean session_grade (Session *session); /* gives up what is left to do */
 gboolean session_can_browse (Session *session, gboolean forwards);
 gboolean session_browse (Session *session, gboolean forwards);
-gboolean session_can_end_performance (Session *session); /* not a lesson's */
+gboolean session_can_end_performance (Session *session); /* not a stop's */
 gboolean session_end_performance (Session *session);
 
 /* Returns: (transfer full): the source of the sites that a seed has given, to
