@@ -192,6 +192,19 @@ rebuild (AnswerList *list)
 
 /* As it is now */
 
+/* Ridges by their sites, as the pictures name these; all else as it is
+ * called. */
+static char *
+chosen_text (AnswerList *list, Object object)
+{
+  const Trace *trace = list->exercise->occasion.trace;
+
+  if (object.kind != OBJECT_RIDGE)
+    return question_item_text (list->question, object);
+  return g_strdup_printf ("s%u–s%u", trace->ridges[object.number].site[0],
+                          trace->ridges[object.number].site[1]);
+}
+
 static void
 update_chosen (AnswerList *list)
 {
@@ -200,8 +213,8 @@ update_chosen (AnswerList *list)
   g_autoptr (GString) text = g_string_new (NULL);
 
   for (guint i = 0; i < objects->len; i++) {
-    g_autofree char *name = question_item_text (
-        list->question, g_array_index (objects, Object, i));
+    g_autofree char *name
+        = chosen_text (list, g_array_index (objects, Object, i));
 
     g_string_append (text, i == 0 ? "" : is_order ? " → " : ", ");
     g_string_append (text, name);
