@@ -27,8 +27,12 @@ def check(holds, reason):
         raise Fault(reason)
 
 
+LANGUAGE = {"LC_ALL": "C.UTF-8"}
+
+
 def run(*arguments):
-    return subprocess.run([*map(str, arguments)], capture_output=True, check=False)
+    return subprocess.run([*map(str, arguments)], capture_output=True, check=False,
+                          env={**os.environ, **LANGUAGE})
 
 
 def write(lesson, *options, name="out.pdf"):
@@ -122,7 +126,7 @@ def full_handouts_have_every_stop_and_its_text():
 
 
 def nothing_is_lost_of_long_texts_and_words():
-    long = " ".join(f"Wortungetüm{i}zusammengeschriebenohneFuge" for i in range(300))
+    long = " ".join(f"Wortungetüm{i}zusammengesetzt" for i in range(300))
     lesson = pathlib.Path(FOLDER.name) / "long.md"
     lesson.write_text(f"# {'Überschriften ' * 12}\n\n{long}\n\n```lesson\nformat 1\n"
                       "sites 0 0; 1 0; 0 1; 1 1.5; 0.5 0.25\nminutes 3\n```\n\n"
@@ -133,11 +137,28 @@ def nothing_is_lost_of_long_texts_and_words():
     fits(path, "a4")
     letters = re.sub(r"\W", "", text_of(path))
     for i in range(300):
-        n = letters.count(f"Wortungetüm{i}zusammengeschriebenohneFuge")
+        n = letters.count(f"Wortungetüm{i}zusammengesetzt")
         check(n == 3, f"word {i} is there {n} times, not 3")
     path = write(lesson)
     check(info_of(path)["Pages"].strip() == "1", "it is not one page")
     fits(path, "a4")
+
+
+def every_language_has_its_place():
+    english = text_of(write(INSIDE, "--full"))
+    for language in "de_DE.UTF-8", "es_ES.UTF-8":
+        LANGUAGE["LC_ALL"] = language
+        try:
+            for lesson in LESSONS:
+                path = write(lesson)
+                check(info_of(path)["Pages"].strip() == "1", f"{lesson.name} in {language}")
+                fits(path, "a4")
+            for options in ("--notes", "--steps"), ("--blanks", "--key"):
+                path = write(INSIDE, *options)
+                fits(path, "a4")
+            check(text_of(path)[:60] != english[:60], f"{language} is English")
+        finally:
+            LANGUAGE["LC_ALL"] = "C.UTF-8"
 
 
 def blanks_hide_what_the_key_tells():
@@ -251,6 +272,7 @@ TESTS = (
     a_lesson_without_options_is_one_page,
     full_handouts_have_every_stop_and_its_text,
     nothing_is_lost_of_long_texts_and_words,
+    every_language_has_its_place,
     blanks_hide_what_the_key_tells,
     the_key_is_what_the_lesson_says,
     each_insertion_has_four_panels,

@@ -65,20 +65,54 @@ capitalized (const char *words)
   return g_strconcat (first, g_utf8_next_char (words), NULL);
 }
 
-Block *
-handout_note (const Handout *handout, const char *commonmark)
+/* A labelled text in a frame. */
+static void
+add_labelled (const Handout *handout,
+              Block *frame,
+              const char *label,
+              const char *commonmark)
 {
-  g_autofree char *words = capitalized (commonmark);
-  Block *frame = block_frame (handout->width, PADDING);
   const double width = block_inner_width (frame);
-  Block *label
-      = handout_words (handout, TEXT_LABEL, width, _ ("For the lecturer"));
+  Block *words = handout_words (handout, TEXT_LABEL, width, label);
 
-  label->keeps = TRUE;
-  block_add (frame, label);
-  block_add_below (frame,
-                   block_prose (&handout->press, TEXT_SMALL, width, words), 2);
-  return frame;
+  words->keeps = TRUE;
+  block_add_below (frame, words, PADDING);
+  block_add_below (
+      frame, block_prose (&handout->press, TEXT_SMALL, width, commonmark), 2);
+}
+
+static char *
+hints_of (const Question *question)
+{
+  GString *hints = g_string_new (NULL);
+
+  for (guint i = 0; i < question->hints->len; i++)
+    g_string_append_printf (
+        hints, "- %s\n", (const char *)g_ptr_array_index (question->hints, i));
+  return g_string_free (hints, FALSE);
+}
+
+Block *
+handout_note (const Handout *handout,
+              const char *note,
+              const Question *question)
+{
+  Block *frame = block_frame (handout->width, PADDING);
+
+  if (note != NULL) {
+    g_autofree char *words = capitalized (note);
+
+    add_labelled (handout, frame, _ ("For the lecturer"), words);
+  }
+  if (question != NULL && question->hints->len > 0) {
+    g_autofree char *hints = hints_of (question);
+
+    add_labelled (handout, frame, _ ("Hints"), hints);
+  }
+  if (frame->parts->len > 0)
+    return frame;
+  block_free (frame);
+  return NULL;
 }
 
 static Block *
@@ -120,15 +154,16 @@ void
 handout_add_timetable (Handout *handout)
 {
   const Lesson *lesson = handout->lesson;
+  Block *note = handout_note (handout, lesson->note, NULL);
 
-  if (lesson->note != NULL)
-    pages_add (handout->pages, handout_note (handout, lesson->note), 10);
+  if (note != NULL)
+    pages_add (handout->pages, note, 10);
   if (lesson->minutes > 0) {
-    Block *label = handout_words (handout, TEXT_LABEL, handout->width,
-                                  _ ("Timetable; (?) asks a question"));
+    Block *stack = block_stack (handout->width);
 
-    label->keeps = TRUE;
-    pages_add (handout->pages, label, 10);
-    pages_add (handout->pages, timetable (handout, handout->width), 4);
+    block_add (stack, handout_words (handout, TEXT_LABEL, handout->width,
+                                     _ ("Timetable; (?) asks a question")));
+    block_add_below (stack, timetable (handout, handout->width), 4);
+    pages_add (handout->pages, stack, 12);
   }
 }

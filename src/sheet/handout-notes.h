@@ -9,8 +9,11 @@ G_BEGIN_DECLS
 /* Adds the notes on the whole lesson, and what comes when. */
 void handout_add_timetable (Handout *handout);
 
-/* Returns: (transfer full): a note of a stop. */
-Block *handout_note (const Handout *handout, const char *commonmark);
+/* Returns: (transfer full): a note and the hints to a question; either may be
+ *          NULL, and where there is nothing to say so is the block. */
+Block *handout_note (const Handout *handout,
+                     const char *note,
+                     const Question *question);
 
 /* When a stop begins and ends: the lesson's minutes shared out, twice as much
  * to a stop that asks as to another.

@@ -109,7 +109,7 @@ find_pictures (const Lesson *lesson)
       g_array_append_val (stops, i);
   thin_out (stops, MOST_PICTURES);
   for (guint i = lesson->stops->len; i-- > 0 && stops->len % 2 != 0;)
-    if (has_picture (lesson_stop (lesson, i)) && !is_among_stops (stops, i))
+    if (lesson_stop (lesson, i)->question == NULL && !is_among_stops (stops, i))
       g_array_append_val (stops, i);
   g_array_sort (stops, compare_stops);
   return stops;
@@ -196,7 +196,7 @@ listed (const Handout *handout, guint stop, double width)
 
 typedef Block *(*MakeCell) (const Handout *handout, guint stop, double width);
 
-/* Two in a row. */
+/* Two in a row; one alone is as wide as the page. */
 static void
 add_grid (const Sheet *sheet,
           Block *stack,
@@ -204,7 +204,8 @@ add_grid (const Sheet *sheet,
           guint n,
           MakeCell make)
 {
-  const double width = (sheet->handout->width - COLUMN_GAP) / 2;
+  const double full = sheet->handout->width;
+  const double width = stops->len == 1 ? full : (full - COLUMN_GAP) / 2;
 
   for (guint i = 0; i < MIN (stops->len, n); i += 2) {
     Block *columns = block_columns (COLUMN_GAP);

@@ -10,7 +10,7 @@
 #include <glib/gi18n.h>
 
 /* Of the width, for the pictures. */
-#define PICTURE_PART 0.52
+#define PICTURE_PART 0.56
 #define WIDE_PART 0.84 /* of one to be marked */
 #define TIME_WIDTH 70.0
 
@@ -269,6 +269,7 @@ add_stop (Handout *handout, guint stop)
   const LessonStop *row = lesson_stop (handout->lesson, stop);
   Print print = { .handout = handout, .stop = stop };
   Block *stack = block_stack (handout->width);
+  Block *note = NULL;
 
   choose_face (&print);
   moment_enter (&print.moment);
@@ -282,8 +283,10 @@ add_stop (Handout *handout, guint stop)
     add_wide (&print, stack);
   else
     add_narrow (&print, stack);
-  if (handout->options.has_notes && row->note != NULL)
-    block_add_below (stack, handout_note (handout, row->note), PART_GAP);
+  if (handout->options.has_notes)
+    note = handout_note (handout, row->note, row->question);
+  if (note != NULL)
+    block_add_below (stack, note, PART_GAP);
   pages_add (handout->pages, stack, STOP_GAP);
 }
 
