@@ -1,3 +1,4 @@
+#include "panel.h"
 #include "storyboard.h"
 
 #include <stdio.h>
@@ -59,7 +60,7 @@ session_with_lesson (void)
 }
 
 static GString *
-write_board (Session *session)
+write_board_in (Session *session, ThemeKind theme)
 {
   g_autoptr (GError) error = NULL;
   GString *bytes = g_string_new (NULL);
@@ -68,6 +69,7 @@ write_board (Session *session)
   int byte;
 
   appearance_init (&appearance);
+  appearance.theme = theme;
   g_assert_true (storyboard_write (session, &appearance, file, &error));
   g_assert_no_error (error);
   rewind (file);
@@ -75,6 +77,12 @@ write_board (Session *session)
     g_string_append_c (bytes, (char)byte);
   fclose (file);
   return bytes;
+}
+
+static GString *
+write_board (Session *session)
+{
+  return write_board_in (session, THEME_LIGHT);
 }
 
 static guint
@@ -134,6 +142,49 @@ test_left_as_found (void)
   g_string_free (bytes, TRUE);
 }
 
+/* What panels say of a lesson with a question. */
+static void
+test_questions_are_asked (void)
+{
+  static const char text[]
+      = "# T\n\n```lesson\nformat 1\n"
+        "sites -0.6 -0.5; 0.7 -0.4; 0.1 0.8; 0.0 0.1; 0.3 -0.1\n```\n\n"
+        "## Asked\n\n```ask\nbefore round 1 see\nclick visible-facets\n"
+        "prompt **Which** facets?\n```\n\n```steps\ngoto round 1 see\n```\n\n"
+        "## Told\n\n```steps\ngoto round 1 see\n```\n";
+  g_autoptr (GError) error = NULL;
+  g_autoptr (Lesson) lesson
+      = lesson_parse (text, strlen (text), "test.md", &error);
+  g_autoptr (Session) session = session_new ();
+  g_autoptr (Panel) asked = NULL, told = NULL;
+
+  g_assert_no_error (error);
+  session_set_lesson (session, lesson);
+  asked = panel_new (session, 0);
+  g_assert_cmpstr (asked->narration, ==, "<b>Which</b> facets?");
+  g_assert_true (session_is_asking (session));
+  told = panel_new (session, 1);
+  g_assert_nonnull (strstr (told->narration, "its circle contains"));
+}
+
+/* Each theme gives other pictures. */
+static void
+test_themes_matter (void)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (GHashTable) seen
+      = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+
+  for (guint i = 0; i < N_THEMES; i++) {
+    GString *bytes = write_board_in (session, (ThemeKind)i);
+
+    g_assert_true (g_hash_table_add (
+        seen, g_compute_checksum_for_data (
+                  G_CHECKSUM_SHA256, (const guchar *)bytes->str, bytes->len)));
+    g_string_free (bytes, TRUE);
+  }
+}
+
 /* Without a lesson: the simplex, each round, and the end. */
 static void
 test_rounds (void)
@@ -181,6 +232,9 @@ main (int argc, char **argv)
                    test_left_as_found);
   g_test_add_func ("/storyboard/without-a-lesson-rounds-are-shown",
                    test_rounds);
+  g_test_add_func ("/storyboard/questions-are-asked-not-answered",
+                   test_questions_are_asked);
+  g_test_add_func ("/storyboard/themes-matter", test_themes_matter);
   g_test_add_func ("/storyboard/a-full-disk-is-said", test_full_disk);
   return g_test_run ();
 }

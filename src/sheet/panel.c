@@ -60,6 +60,22 @@ enter_round (Session *session, guint index, Panel *panel)
                                   trace->rounds[round - 1].site);
 }
 
+/* A question that is open has its pictures masked, and stands where the
+ * sentence would answer it. */
+static char *
+read_narration (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+  g_autofree char *words = NULL;
+
+  if (exercise != NULL && exercise->is_open) {
+    words = question_prompt (exercise->question, &exercise->occasion);
+    return prose_to_markup (words);
+  }
+  words = session_narrate (session);
+  return g_markup_printf_escaped ("<i>%s</i>", words);
+}
+
 Panel *
 panel_new (Session *session, guint index)
 {
@@ -77,7 +93,7 @@ panel_new (Session *session, guint index)
     enter_round (session, index, panel);
     panel->prose = g_strdup ("");
   }
-  panel->narration = session_narrate (session);
+  panel->narration = read_narration (session);
   return panel;
 }
 
@@ -146,8 +162,6 @@ paint_words (const Panel *panel, cairo_t *cr, cairo_rectangle_t area)
 {
   g_autofree char *title
       = g_markup_printf_escaped ("<b>%u  %s</b>", panel->number, panel->title);
-  g_autofree char *narration
-      = g_markup_printf_escaped ("<i>%s</i>", panel->narration);
   const double bottom = area.y + area.height;
   const double n_narration = area.height * 0.3;
   double height;
@@ -160,11 +174,11 @@ paint_words (const Panel *panel, cairo_t *cr, cairo_rectangle_t area)
   cairo_move_to (cr, area.x, area.y + 0.25);
   cairo_rel_line_to (cr, 28, 0);
   cairo_set_line_width (cr, 0.7);
-  cairo_set_source_rgb (cr, 0.84, 0.37, 0);
+  cairo_set_source_rgb (cr, 0.4, 0.4, 0.4);
   cairo_stroke (cr);
   area.y += 4;
   area.height = bottom - area.y;
-  panel_paint_text (cr, narration, TEXT_PT, &area);
+  panel_paint_text (cr, panel->narration, TEXT_PT, &area);
 }
 
 void

@@ -12,8 +12,9 @@ G_BEGIN_DECLS
 typedef struct Panel {
   guint number; /* from 1 */
   char *title;
-  char *prose; /* Pango markup, may be empty */
-  char *narration;
+  char *prose;     /* Pango markup, may be empty */
+  char *narration; /* markup: the sentence of the step, or the question that is
+                      open there */
 } Panel;
 
 /* Takes the session to the moment of panel @index and reads its words.
