@@ -33,11 +33,16 @@ def read(path):
         return file.read()
 
 
+def tests_among(names):
+    """The functions among names that are defined where it is called."""
+    return [value for name, value in list(names.items())
+            if getattr(value, "__module__", "") == "__main__"
+            and callable(value) and name not in HELPERS]
+
+
 def run(prefix, names):
-    """Runs the functions among names that are defined where it is called."""
-    tests = [value for name, value in list(names.items())
-             if getattr(value, "__module__", "") == "__main__"
-             and callable(value) and name not in HELPERS]
+    """Runs tests, or those among names."""
+    tests = tests_among(names) if isinstance(names, dict) else names
     wanted = sys.argv[1:]
     tests = [t for t in tests if not wanted or t.__name__ in wanted]
     print(f"1..{len(tests)}")
