@@ -83,7 +83,7 @@ test_labels (void)
 {
   enum { N = 30 };
   g_autoptr (GRand) rand = g_rand_new_with_seed (5);
-  LabelSheet *sheet = label_sheet_new (600, 600);
+  LabelSheet *sheet = label_sheet_new (600, 600, NULL);
   Label labels[N] = { 0 };
   int i, k;
 
@@ -113,7 +113,7 @@ test_labels (void)
 static void
 test_labels_avoid_lines (void)
 {
-  LabelSheet *sheet = label_sheet_new (200, 200);
+  LabelSheet *sheet = label_sheet_new (200, 200, NULL);
   Label label = {
     .text = "s1", .at = { 100, 100 }, .reach = 7, .width = 24, .height = 14
   };
@@ -137,7 +137,7 @@ static void
 test_labels_are_left_out (void)
 {
   enum { N = 60 };
-  LabelSheet *sheet = label_sheet_new (80, 80);
+  LabelSheet *sheet = label_sheet_new (80, 80, NULL);
   Label labels[N];
   int i, n_placed = 0;
 

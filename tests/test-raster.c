@@ -109,11 +109,24 @@ test_scale (void)
 typedef struct Walk {
   GRand *rand;
   const Fixture *fixture;
-  Scene scene;
+  Scene scene; /* relit, when only the light has changed */
+  Scene whole; /* filled anew */
   SceneLook look;
+  uint32_t selected[2];
+  guint step; /* that the scene is of */
   gboolean is_space;
   guint n_partly; /* pictures of which only a part was painted */
+  guint n_relit;
 } Walk;
+
+static void
+fill (const Walk *walk, Scene *scene, const Frame *frame)
+{
+  if (walk->is_space)
+    scene_space (scene, frame, &walk->look);
+  else
+    scene_plane (scene, frame, &walk->look);
+}
 
 static Projection
 build (Walk *walk, guint step)
@@ -129,12 +142,14 @@ build (Walk *walk, guint step)
   projection = walk->is_space
                    ? camera_projection (&camera, 300, 300)
                    : plane_camera_projection (&plane_camera, 300, 300);
-  if (walk->is_space) {
-    scene_space (&walk->scene, &frame, &walk->look);
-  } else {
+  if (!walk->is_space)
     scene_look_fit (&walk->look, &projection, 6);
-    scene_plane (&walk->scene, &frame, &walk->look);
-  }
+  if (walk->step == step && scene_relight (&walk->scene, &frame, &walk->look))
+    walk->n_relit++;
+  else
+    fill (walk, &walk->scene, &frame);
+  fill (walk, &walk->whole, &frame);
+  walk->step = step;
   frame_clear (&frame);
   return projection;
 }
@@ -189,11 +204,34 @@ choose_object (Walk *walk)
                                          walk->rand, 0, (int)n_rows[kind]) };
 }
 
+/* Two sites of those that are selected beside the selection; or none. */
+static void
+choose_sites (Walk *walk)
+{
+  const uint32_t n = walk->fixture->set->n_sites;
+
+  walk->selected[0] = (uint32_t)g_rand_int_range (walk->rand, 0, (int)n / 2);
+  walk->selected[1]
+      = (uint32_t)g_rand_int_range (walk->rand, (int)n / 2, (int)n);
+  walk->look.selected = walk->selected;
+  walk->look.n_selected = g_rand_boolean (walk->rand) ? 2 : 0;
+}
+
+static void
+choose_preview (Walk *walk)
+{
+  const Point3 at = { g_rand_double_range (walk->rand, -1, 1),
+                      g_rand_double_range (walk->rand, -1, 1), 0 };
+
+  walk->look.has_preview = g_rand_boolean (walk->rand);
+  walk->look.preview = scene_site (&walk->look, at);
+}
+
 /* The next event; or the same one with other objects lit; or any one. */
 static guint
 go_on (Walk *walk, guint step, guint turn)
 {
-  switch (turn % 4) {
+  switch (turn % 6) {
   case 1:
     walk->look.hover = choose_object (walk);
     return step;
@@ -201,6 +239,12 @@ go_on (Walk *walk, guint step, guint turn)
     walk->look.selection = choose_object (walk);
     return step;
   case 3:
+    choose_sites (walk);
+    return step;
+  case 4:
+    choose_preview (walk);
+    return step;
+  case 5:
     return choose (walk);
   default:
     return MIN (step + 1, walk->fixture->trace->n_events);
@@ -224,7 +268,7 @@ take_steps (Walk *walk, Easel *easel, guint n)
     walk->n_partly += area_of (region) < 300 * 300 / 2;
     cairo_region_destroy (region);
     cairo_region_destroy (
-        easel_paint (fresh, &walk->scene, &projection, theme, 1));
+        easel_paint (fresh, &walk->whole, &projection, theme, 1));
     if (n_different (easel_get_surface (easel), easel_get_surface (fresh)) > 0)
       g_error (
           "%s, step %u: %u pixels are old", walk->fixture->name, step,
@@ -234,11 +278,12 @@ take_steps (Walk *walk, Easel *easel, guint n)
 }
 
 static void
-walk_through (const Fixture *fixture)
+walk_through (const Fixture *fixture, guint n_steps)
 {
   for (int is_space = 0; is_space < 2; is_space++) {
     Walk walk = { .rand = g_rand_new_with_seed (7),
                   .fixture = fixture,
+                  .step = G_MAXUINT,
                   .is_space = is_space };
     Easel *easel = easel_new ();
     Frame frame;
@@ -246,12 +291,25 @@ walk_through (const Fixture *fixture)
     frame_init (&frame, fixture->trace, 0);
     scene_look_init (&walk.look, &frame);
     frame_clear (&frame);
-    take_steps (&walk, easel, 24);
-    g_assert_cmpuint (walk.n_partly, >, 4);
+    walk.look.layers |= LAYER_WHY | LAYER_CIRCLES;
+    take_steps (&walk, easel, n_steps);
+    g_assert_cmpuint (walk.n_partly, >, n_steps / 6);
+    g_assert_cmpuint (walk.n_relit, >, n_steps / 3);
     scene_clear (&walk.scene);
+    scene_clear (&walk.whole);
     easel_free (easel);
     g_rand_free (walk.rand);
   }
+}
+
+/* Where sites crowd, marks are small and only what is lit has a name. */
+static void
+test_crowd (void)
+{
+  g_autoptr (Fixture) crowd
+      = fixture_new (FAMILY_RANDOM, 3, 300, ORDER_FURTHEST);
+
+  walk_through (crowd, 18);
 }
 
 static void
@@ -263,8 +321,8 @@ test_parts (void)
     g_autoptr (Fixture) ties
         = fixture_new (FAMILY_TIES, seed, 30, ORDER_FURTHEST);
 
-    walk_through (random);
-    walk_through (ties);
+    walk_through (random, 48);
+    walk_through (ties, 48);
   }
 }
 
@@ -295,6 +353,7 @@ main (int argc, char **argv)
   g_test_add_func ("/raster/fine-screens-show-the-same-picture", test_scale);
   g_test_add_func ("/easel/a-part-painted-alone-has-the-same-pixels",
                    test_parts);
+  g_test_add_func ("/easel/in-a-crowd-as-well", test_crowd);
   g_test_add_func ("/easel/what-did-not-change-is-not-painted", test_nothing);
   return g_test_run ();
 }

@@ -3,107 +3,10 @@
 #include "memory.h"
 
 #include <assert.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* The parts of the active set of a step. */
-typedef enum Part {
-  PART_NONE = 0,
-  PART_CHOICE = 1, /* the selected facet and its outside set */
-  PART_APEX = 2,
-  PART_VISIBLE = 4,
-  PART_HORIZON = 8,
-  PART_CONE = 16,
-} Part;
-
-static const Part part_of[N_ROLES] = {
-  [ROLE_SELECTED_FACET] = PART_CHOICE,
-  [ROLE_DROP] = PART_CHOICE,
-  [ROLE_EDGE_LINE] = PART_CHOICE | PART_VISIBLE,
-  [ROLE_LIFT_OUTSIDE] = PART_CHOICE,
-  [ROLE_SITE_OUTSIDE] = PART_CHOICE,
-  [ROLE_SITE_APEX] = PART_APEX,
-  [ROLE_LIFT_APEX] = PART_APEX,
-  [ROLE_FOOT_APEX] = PART_APEX,
-  [ROLE_FACET_NAME] = PART_APEX,
-  [ROLE_VISIBLE] = PART_VISIBLE,
-  [ROLE_VISIBLE_UPPER] = PART_VISIBLE,
-  [ROLE_RETIRED] = PART_VISIBLE,
-  [ROLE_CIRCLE_VISIBLE] = PART_VISIBLE,
-  [ROLE_CIRCLE_UPPER] = PART_VISIBLE,
-  [ROLE_VISIBLE_EDGE] = PART_VISIBLE,
-  [ROLE_SEEN_EDGE] = PART_VISIBLE,
-  [ROLE_VORONOI_VERTEX_DYING] = PART_VISIBLE,
-  [ROLE_HORIZON] = PART_HORIZON,
-  [ROLE_HORIZON_UPPER] = PART_HORIZON,
-  [ROLE_HORIZON_CORNER] = PART_HORIZON,
-  [ROLE_CONE] = PART_CONE,
-  [ROLE_CONE_UPPER] = PART_CONE,
-  [ROLE_CONE_EDGE] = PART_CONE,
-};
-
-/* The answer to what a person asked for, in whatever phase. */
-static bool
-is_answer (Role role)
-{
-  switch ((int)role) {
-  case ROLE_PLANE:
-  case ROLE_ELLIPSE:
-  case ROLE_GAP:
-  case ROLE_POWER:
-  case ROLE_PREVIEW_TRIANGLE:
-  case ROLE_PREVIEW_STOLEN:
-  case ROLE_PREVIEW_EDGE:
-  case ROLE_PREVIEW_CELL:
-  case ROLE_ANSWER_CHOSEN:
-  case ROLE_ANSWER_RIGHT:
-  case ROLE_ANSWER_WRONG:
-  case ROLE_ANSWER_MISSED:
-    return true;
-  default:
-    return false;
-  }
-}
-
-static uint32_t
-parts_of_phase (Phase phase)
-{
-  switch (phase) {
-  case PHASE_CHOOSE:
-    return PART_CHOICE | PART_APEX;
-  case PHASE_SEE:
-    return PART_VISIBLE | PART_APEX;
-  case PHASE_HORIZON:
-    return PART_HORIZON | PART_VISIBLE | PART_APEX;
-  case PHASE_CONE:
-    return PART_CONE | PART_HORIZON | PART_APEX;
-  case PHASE_HAND_OVER:
-    return PART_CONE | PART_VISIBLE | PART_APEX | PART_CHOICE;
-  case PHASE_START:
-  case PHASE_SIMPLEX:
-  case PHASE_COMPLETE:
-    break;
-  }
-  return PART_NONE;
-}
-
-static uint32_t
-loud_parts (Phase phase, Focus focus)
-{
-  switch (focus) {
-  case FOCUS_VISIBLE:
-    return PART_VISIBLE | PART_APEX;
-  case FOCUS_HORIZON:
-    return PART_HORIZON | PART_APEX;
-  case FOCUS_CONE:
-    return PART_CONE | PART_APEX;
-  case FOCUS_ACTIVE:
-  case FOCUS_NONE:
-    break;
-  }
-  return parts_of_phase (phase);
-}
 
 static bool
 is_round_in_hand (const Frame *frame)
@@ -165,6 +68,9 @@ apply_mask (SceneBuilder *builder)
   builder->frame = &builder->mask.frame;
 }
 
+/* Scenes are told apart by it, wherever they lie and whoever fills them. */
+static atomic_uint_fast64_t last_edition;
+
 void
 scene_builder_open (SceneBuilder *builder,
                     Scene *scene,
@@ -174,17 +80,30 @@ scene_builder_open (SceneBuilder *builder,
   memset (builder, 0, sizeof *builder);
   builder->scene = scene;
   builder->look = look;
-  scene->n_items = scene->n_points = scene->n_labels = 0;
+  scene->n_items = scene->n_points = scene->n_labels = scene->n_lit = 0;
+  scene->look = *look;
+  scene->stock
+      = (SceneStock){ .edition = atomic_fetch_add (&last_edition, 1) + 1 };
   if (scene->labels_room < n_labels)
     scene->labels = memory_grow (scene->labels, &scene->labels_room, n_labels,
                                  sizeof *scene->labels);
 }
 
-void
-scene_builder_round (SceneBuilder *builder, Phase phase)
+static void
+take_frame (SceneBuilder *builder, const Frame *frame, const SceneLook *look)
 {
-  builder->is_round = true;
-  builder->parts = loud_parts (phase, builder->look->focus);
+  const bool is_masked = (look->mask & MASK_ROUND) != 0;
+
+  builder->frame = frame;
+  builder->masked = *look;
+  builder->look = look->mask != 0 ? &builder->masked : look;
+  if (look->mask != 0)
+    apply_mask (builder);
+  if (frame->step > 0 && !is_masked)
+    builder->event = &frame->trace->events[frame->step - 1];
+  builder->is_round = is_round_in_hand (frame);
+  if (builder->is_round && !is_masked)
+    scene_builder_round (builder, frame->place.phase);
 }
 
 void
@@ -195,18 +114,24 @@ scene_builder_init (SceneBuilder *builder,
 {
   scene_builder_open (builder, scene, look,
                       frame->n_sites + 16 + 2 * look->n_answers);
-  builder->frame = frame;
-  builder->masked = *look;
-  builder->look = look->mask != 0 ? &builder->masked : look;
-  if (look->mask != 0)
-    apply_mask (builder);
-  if (frame->step > 0 && !(look->mask & MASK_ROUND))
-    builder->event = &frame->trace->events[frame->step - 1];
-  builder->is_round = is_round_in_hand (frame);
-  if (!(look->mask & MASK_ROUND))
-    builder->parts = loud_parts (frame->place.phase, look->focus);
+  take_frame (builder, frame, look);
   builder->ridge_of = find_ridges (frame);
   builder->roles = scene_roles_new (builder->frame);
+}
+
+void
+scene_builder_resume (SceneBuilder *builder,
+                      Scene *scene,
+                      const Frame *frame,
+                      const SceneLook *look)
+{
+  memset (builder, 0, sizeof *builder);
+  builder->scene = scene;
+  scene->look = *look;
+  scene->n_items = scene->stock.n_items;
+  scene->n_points = scene->stock.n_points;
+  scene->n_labels = scene->stock.n_labels;
+  take_frame (builder, frame, look);
 }
 
 void
@@ -221,20 +146,6 @@ bool
 scene_has_layer (const SceneBuilder *builder, Layer layer)
 {
   return (builder->look->layers & (uint32_t)layer) != 0;
-}
-
-static Emphasis
-emphasis_of (const SceneBuilder *builder, Role role)
-{
-  const bool is_mark = role >= ROLE_PREVIEW_SITE;
-
-  if (!builder->is_round)
-    return EMPHASIS_NORMAL;
-  if ((uint32_t)part_of[role] & builder->parts)
-    return EMPHASIS_LOUD;
-  if (builder->look->focus == FOCUS_NONE || is_mark || is_answer (role))
-    return EMPHASIS_NORMAL;
-  return EMPHASIS_PALE;
 }
 
 /* Only lower facets fall on the triangulation when the lifts come down. */
@@ -276,8 +187,9 @@ scene_add (SceneBuilder *builder, SceneShape shape, Role role, Object object)
   item = &scene->items[scene->n_items++];
   *item = (SceneItem){ .shape = shape,
                        .role = role,
-                       .emphasis = emphasis_of (builder, role),
-                       .lit = scene_lit (builder, object),
+                       .emphasis = scene_emphasis (builder, role),
+                       .lit = builder->has_stock ? scene_lit (builder, object)
+                                                 : LIT_NONE,
                        .pass = builder->pass,
                        .object = object,
                        .fade = fade_of (builder, role),
@@ -382,57 +294,6 @@ scene_vertex_object (const SceneBuilder *builder, uint32_t group)
   const uint32_t triangle = frame->voronoi.vertices[group].triangle;
 
   return (Object){ OBJECT_VERTEX, frame->delaunay.triangles[triangle].facet };
-}
-
-/* A facet and the Voronoi vertex of its circle are counterparts; all other
- * counterparts have one name. */
-static bool
-is_counterpart (const SceneBuilder *builder, Object a, Object b)
-{
-  uint32_t group;
-
-  if (object_equal (a, b))
-    return a.kind != OBJECT_NONE;
-  if (!(a.kind == OBJECT_FACET && b.kind == OBJECT_VERTEX)
-      && !(a.kind == OBJECT_VERTEX && b.kind == OBJECT_FACET))
-    return false;
-  group = scene_group (builder, a.number);
-  return group != INDEX_NONE && group == scene_group (builder, b.number);
-}
-
-static int
-compare_sites (const void *left, const void *right)
-{
-  const uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;
-
-  return a < b ? -1 : a > b;
-}
-
-bool
-scene_is_selected (const SceneLook *look, uint32_t site)
-{
-  if (look->selection.kind == OBJECT_SITE && look->selection.number == site)
-    return true;
-  return look->n_selected > 0
-         && bsearch (&site, look->selected, look->n_selected, sizeof site,
-                     compare_sites)
-                != NULL;
-}
-
-Lit
-scene_lit (const SceneBuilder *builder, Object object)
-{
-  if (object.kind == OBJECT_SITE
-      && scene_is_selected (builder->look, object.number))
-    return LIT_SELECTED;
-  if (is_counterpart (builder, object, builder->look->selection))
-    return LIT_SELECTED;
-  /* A preview has taken the place of what a cell would light. */
-  if (builder->look->has_preview && object.kind == OBJECT_SITE)
-    return LIT_NONE;
-  if (is_counterpart (builder, object, builder->look->hover))
-    return LIT_HOVER;
-  return LIT_NONE;
 }
 
 Role

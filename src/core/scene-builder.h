@@ -16,9 +16,10 @@ typedef struct SceneBuilder {
   bool is_round;      /* a round is in hand */
   uint32_t parts;     /* of the active set that are loud, Part bits */
   uint32_t *ridge_of; /* per Delaunay edge: its row of Trace.ridges; flat
-                         input: its own number */
-  uint32_t *roles;    /* per facet of the trace: see scene_roles() */
+                         input: its own number; for the stock alone */
+  uint32_t *roles;    /* per facet of the trace: see scene_roles(); or NULL */
   ScenePass pass;     /* of the items that are added next */
+  bool has_stock;     /* they are there because of what a person points at */
 } SceneBuilder;
 
 void scene_builder_init (SceneBuilder *builder,
@@ -26,6 +27,20 @@ void scene_builder_init (SceneBuilder *builder,
                          const Frame *frame,
                          const SceneLook *look);
 void scene_builder_clear (SceneBuilder *builder);
+
+/* Goes on after the stock of a scene that has been filled from @frame. */
+void scene_builder_resume (SceneBuilder *builder,
+                           Scene *scene,
+                           const Frame *frame,
+                           const SceneLook *look);
+
+/* All items so far are the stock: lights what of them is lit. What is added
+ * after it is there because of that. Scenes without it have no stock. */
+void scene_light (SceneBuilder *builder);
+
+/* What is shown only because a person points at it. */
+void scene_add_pointed_plane (SceneBuilder *builder);
+void scene_add_pointed_space (SceneBuilder *builder);
 
 /* The same for scenes without a frame: objects are sites alone. @n_labels: at
  * most so many; they must not move once they are pointed to. Nothing to
@@ -66,6 +81,20 @@ const char *scene_text (SceneBuilder *builder, const char *text);
 
 /* Returns: how @object or a counterpart of it is lit. */
 Lit scene_lit (const SceneBuilder *builder, Object object);
+
+/* Returns: how loud a role is at this step. */
+Emphasis scene_emphasis (const SceneBuilder *builder, Role role);
+
+/* Returns: the facets that are lit, ascending, of those that are in the frame;
+ *          free with free(). */
+uint32_t *scene_lit_facets (const SceneBuilder *builder, uint32_t *n_facets);
+
+/* Items of the stock by object: the first one, the next one after @item that
+ * has the same object; or INDEX_NONE. */
+void scene_index_renew (Scene *scene);
+uint32_t scene_index_first (const Scene *scene, Object object);
+uint32_t scene_index_next (const Scene *scene, uint32_t item);
+void scene_index_clear (SceneIndex *index);
 
 /* Returns: the circle group of a facet's triangle, or INDEX_NONE. */
 uint32_t scene_group (const SceneBuilder *builder, uint32_t facet);
@@ -132,7 +161,7 @@ void scene_add_furthest_cells (SceneBuilder *builder, const Point3 box[2]);
 void scene_add_furthest (SceneBuilder *builder, const Point3 box[2]);
 
 /* What a site under the pointer would change; in space its lift as well. */
-void scene_add_preview (SceneDiagram *diagram, SceneBuilder *builder);
+void scene_add_preview (SceneBuilder *builder, const Point3 box[2]);
 void scene_add_preview_lift (SceneBuilder *builder);
 
 /* The layer that tells why: plane and ellipse in space, the circle in the
@@ -155,6 +184,7 @@ void scene_add_contours (SceneBuilder *builder, const Point3 box[2]);
 
 /* Parts that plane and space have in common: all that lies in the plane. */
 void scene_add_circles (SceneBuilder *builder, const Point3 box[2]);
+void scene_add_lit_circles (SceneBuilder *builder, const Point3 box[2]);
 void scene_add_triangles (SceneBuilder *builder);
 void scene_add_delaunay_edges (SceneBuilder *builder);
 void scene_add_seen_edges (SceneBuilder *builder);
@@ -174,7 +204,15 @@ void scene_add_cone_edges (SceneBuilder *builder, bool lifted);
 void scene_add_horizon (SceneBuilder *builder, bool lifted);
 void scene_add_selected_facet (SceneBuilder *builder, bool lifted);
 void scene_add_lit_facets (SceneBuilder *builder, bool lifted);
-void scene_add_facet_names (SceneBuilder *builder, bool lifted);
+SceneItem *scene_add_outline (SceneBuilder *builder,
+                              Role role,
+                              uint32_t facet,
+                              bool lifted);
+
+/* Names the facet that the sentence of the step speaks of; that which is
+ * selected. */
+void scene_add_step_name (SceneBuilder *builder, bool lifted);
+void scene_add_selected_name (SceneBuilder *builder, bool lifted);
 
 /* How far inside its sides the outline of a chosen facet is drawn. */
 #define ANSWER_INSET 0.14

@@ -156,24 +156,6 @@ scene_add_contours (SceneBuilder *builder, const Point3 box[2])
   }
 }
 
-/* The role of a circle group's circle.
- *
- * Returns: false when it is not shown. */
-static bool
-circle_role (const SceneBuilder *builder, uint32_t group, Role *role)
-{
-  const Lit lit = scene_lit (builder, scene_vertex_object (builder, group));
-
-  if (builder->frame->is_dying[group])
-    *role = ROLE_CIRCLE_VISIBLE;
-  else if (lit == LIT_SELECTED
-           || (lit == LIT_HOVER && !builder->look->has_preview))
-    *role = ROLE_CIRCLE_SELECTED;
-  else
-    *role = ROLE_CIRCLE;
-  return *role != ROLE_CIRCLE || scene_has_layer (builder, LAYER_CIRCLES);
-}
-
 /* A facet that is not lower has a circle too, of which the reverse holds. */
 static void
 add_upper_circles (SceneBuilder *builder, const Point3 box[2])
@@ -184,15 +166,11 @@ add_upper_circles (SceneBuilder *builder, const Point3 box[2])
   for (i = 0; i < frame->n_facets; i++) {
     const uint32_t facet = frame->facets[i].facet;
     const FacetRow *row = &frame->trace->facets[facet];
-    const Object object = { OBJECT_FACET, facet };
-    const bool is_seen = (frame->facets[i].roles & FACET_VISIBLE)
-                         && !(frame->facets[i].roles & FACET_RETIRED);
-    const bool is_lit = scene_lit (builder, object) != LIT_NONE;
 
-    if (row->facing == FACING_UPPER && (is_seen || is_lit))
-      scene_add_circle (builder,
-                        is_seen ? ROLE_CIRCLE_UPPER : ROLE_CIRCLE_SELECTED,
-                        object, row->site, box, false);
+    if (row->facing == FACING_UPPER && (frame->facets[i].roles & FACET_VISIBLE)
+        && !(frame->facets[i].roles & FACET_RETIRED))
+      scene_add_circle (builder, ROLE_CIRCLE_UPPER,
+                        (Object){ OBJECT_FACET, facet }, row->site, box, false);
   }
 }
 
@@ -200,17 +178,18 @@ void
 scene_add_circles (SceneBuilder *builder, const Point3 box[2])
 {
   const Frame *frame = builder->frame;
+  const bool has_layer = scene_has_layer (builder, LAYER_CIRCLES);
   uint32_t group;
 
   if (builder->look->mask & MASK_FACING)
     return;
-
   for (group = 0; group < frame->voronoi.n_vertices; group++) {
     const uint32_t triangle = frame->voronoi.vertices[group].triangle;
-    Role role;
+    const bool is_dying = frame->is_dying[group];
 
-    if (circle_role (builder, group, &role))
-      scene_add_circle (builder, role, scene_vertex_object (builder, group),
+    if (is_dying || has_layer)
+      scene_add_circle (builder, is_dying ? ROLE_CIRCLE_VISIBLE : ROLE_CIRCLE,
+                        scene_vertex_object (builder, group),
                         frame->delaunay.triangles[triangle].site, box, false);
   }
   add_upper_circles (builder, box);

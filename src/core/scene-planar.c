@@ -248,4 +248,5 @@ scene_planar (Scene *scene, const PlanarFrame *frame, const SceneLook *look)
   add_horizon (&planar);
   add_sites (&planar);
   add_name (&planar);
+  scene_light (builder);
 }

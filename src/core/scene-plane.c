@@ -41,6 +41,20 @@ add_sites (SceneBuilder *builder)
 }
 
 void
+scene_add_pointed_plane (SceneBuilder *builder)
+{
+  const Point3 box[2] = { builder->look->low, builder->look->high };
+
+  builder->pass = PASS_GROUND;
+  scene_add_lit_circles (builder, box);
+  scene_add_lit_facets (builder, false);
+  scene_add_why (builder, false);
+  scene_add_preview (builder, box);
+  builder->pass = PASS_MARKS;
+  scene_add_selected_name (builder, false);
+}
+
+void
 scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
 {
   const Point3 box[2] = { look->low, look->high };
@@ -69,14 +83,13 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_cone_edges (&builder, false);
   scene_add_selected_facet (&builder, false);
   scene_add_horizon (&builder, false);
-  scene_add_lit_facets (&builder, false);
-  scene_add_why (&builder, false);
-  scene_add_preview (diagram, &builder);
   builder.pass = PASS_MARKS;
   scene_add_voronoi_vertices (diagram);
   add_sites (&builder);
-  scene_add_facet_names (&builder, false);
+  scene_add_step_name (&builder, false);
   scene_add_answers (&builder, false);
   scene_diagram_free (diagram);
+  scene_light (&builder);
+  scene_add_pointed_plane (&builder);
   scene_builder_clear (&builder);
 }

@@ -60,14 +60,16 @@ add_star (SceneBuilder *builder, const Preview *preview, Point3 at)
 }
 
 void
-scene_add_preview (SceneDiagram *diagram, SceneBuilder *builder)
+scene_add_preview (SceneBuilder *builder, const Point3 box[2])
 {
   const SceneLook *look = builder->look;
   const Point3 at = scene_point (look, &look->preview, false);
+  SceneDiagram *diagram;
   Preview preview;
 
   if (!look->has_preview || !scene_has_layer (builder, LAYER_PREVIEW))
     return;
+  diagram = scene_diagram_new (builder, box);
   scene_diagram_preview (diagram, look->preview, &preview);
   if (preview.n_neighbours > 0 || builder->frame->delaunay.n_active == 0) {
     add_pieces (diagram, builder, &preview);
@@ -76,6 +78,7 @@ scene_add_preview (SceneDiagram *diagram, SceneBuilder *builder)
     scene_add_mark (builder, ROLE_PREVIEW_SITE, no_object, at, NULL);
   }
   preview_clear (&preview);
+  scene_diagram_free (diagram);
 }
 
 void

@@ -89,6 +89,7 @@ scene_sign_map (Scene *scene,
   for (row = SIGN_MAP_SIDE; row-- > 0;)
     add_row (&builder, is_exact ? map->exact[row] : map->rounded[row], row);
   add_node (&builder, node);
+  scene_light (&builder);
 }
 
 /* Hulls */
@@ -198,4 +199,5 @@ scene_rounded (Scene *scene,
               hull->n_corners);
   builder.pass = PASS_MARKS;
   add_sites (&builder, hull, is_exact);
+  scene_light (&builder);
 }

@@ -23,6 +23,8 @@ scene_roles (const SceneBuilder *builder, uint32_t facet)
 
   if (trace->is_flat)
     return FACET_STANDS;
+  if (builder->roles == NULL)
+    return frame_facet_roles (builder->frame, facet);
   return facet < trace->n_facets ? builder->roles[facet] : 0;
 }
 
@@ -153,14 +155,8 @@ scene_add_triangles (SceneBuilder *builder)
     const uint32_t facet = delaunay->triangles[i].facet;
     const Role role = triangle_role (builder, facet);
 
-    SceneItem *item;
-
-    if (!has_layer && role == ROLE_TRIANGLE)
-      continue;
-    item = scene_add_polygon (builder, role, facet, false);
-    /* Its outline is enough where a preview lies over it. */
-    if (item->lit == LIT_HOVER && builder->look->has_preview)
-      item->lit = LIT_NONE;
+    if (has_layer || role != ROLE_TRIANGLE)
+      scene_add_polygon (builder, role, facet, false);
   }
 }
 
@@ -400,8 +396,11 @@ scene_selected_facet (const SceneBuilder *builder)
   return INDEX_NONE;
 }
 
-static SceneItem *
-add_outline (SceneBuilder *builder, Role role, uint32_t facet, bool lifted)
+SceneItem *
+scene_add_outline (SceneBuilder *builder,
+                   Role role,
+                   uint32_t facet,
+                   bool lifted)
 {
   const uint32_t *site = scene_facet_sites (builder, facet);
   int k;
@@ -418,30 +417,7 @@ scene_add_selected_facet (SceneBuilder *builder, bool lifted)
   const uint32_t facet = scene_selected_facet (builder);
 
   if (facet != INDEX_NONE)
-    add_outline (builder, ROLE_SELECTED_FACET, facet, lifted);
-}
-
-static void
-add_if_lit (SceneBuilder *builder, uint32_t facet, bool lifted)
-{
-  const Lit lit = scene_lit (builder, (Object){ OBJECT_FACET, facet });
-
-  if (lit != LIT_NONE)
-    add_outline (builder, ROLE_LIT, facet, lifted)->lit = lit;
-}
-
-/* Outlines that show through, whatever lies before the facet. */
-void
-scene_add_lit_facets (SceneBuilder *builder, bool lifted)
-{
-  const Frame *frame = builder->frame;
-  uint32_t i;
-
-  for (i = 0; i < frame->n_facets; i++)
-    if (lifted || is_lower (builder, frame->facets[i].facet))
-      add_if_lit (builder, frame->facets[i].facet, lifted);
-  for (i = 0; frame->trace->is_flat && i < frame->delaunay.n_triangles; i++)
-    add_if_lit (builder, i, lifted);
+    scene_add_outline (builder, ROLE_SELECTED_FACET, facet, lifted);
 }
 
 static void
@@ -460,28 +436,42 @@ add_facet_name (SceneBuilder *builder, uint32_t facet, bool lifted)
     middle.z += corner.z / 3;
   }
   if (label != NULL)
-    scene_add_mark (builder, ROLE_FACET_NAME, (Object){ OBJECT_NONE, 0 },
+    scene_add_mark (builder, ROLE_FACET_NAME, (Object){ OBJECT_FACET, facet },
                     middle, label);
 }
 
-/* Names the facet that the sentence of the step speaks of, and that which is
- * selected. In the plane only a lower facet has a triangle to name. */
-void
-scene_add_facet_names (SceneBuilder *builder, bool lifted)
+/* The facet that the sentence of the step speaks of. */
+static uint32_t
+facet_of_step (const SceneBuilder *builder)
 {
-  const Frame *frame = builder->frame;
-  const Object selection = builder->look->selection;
-  uint32_t facets[2] = { INDEX_NONE, INDEX_NONE };
-  int i;
+  const Event *event = builder->event;
 
-  if (frame->trace->is_flat)
-    return;
-  if (builder->event != NULL && builder->event->kind != EVENT_HORIZON)
-    facets[0] = builder->event->facet;
-  if (selection.kind == OBJECT_FACET && selection.number != facets[0])
-    facets[1] = selection.number;
-  for (i = 0; i < 2; i++)
-    if (facets[i] != INDEX_NONE && scene_roles (builder, facets[i]) != 0
-        && (lifted || is_lower (builder, facets[i])))
-      add_facet_name (builder, facets[i], lifted);
+  return event != NULL && event->kind != EVENT_HORIZON ? event->facet
+                                                       : INDEX_NONE;
+}
+
+/* In the plane only a lower facet has a triangle to name. */
+static void
+name_facet (SceneBuilder *builder, uint32_t facet, bool lifted)
+{
+  if (facet != INDEX_NONE && !builder->frame->trace->is_flat
+      && scene_roles (builder, facet) != 0
+      && (lifted || is_lower (builder, facet)))
+    add_facet_name (builder, facet, lifted);
+}
+
+void
+scene_add_step_name (SceneBuilder *builder, bool lifted)
+{
+  name_facet (builder, facet_of_step (builder), lifted);
+}
+
+void
+scene_add_selected_name (SceneBuilder *builder, bool lifted)
+{
+  const Object selection = builder->look->selection;
+
+  if (selection.kind == OBJECT_FACET
+      && selection.number != facet_of_step (builder))
+    name_facet (builder, selection.number, lifted);
 }

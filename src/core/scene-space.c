@@ -48,11 +48,13 @@ add_feet (SceneBuilder *builder)
   }
 }
 
+/* What of the plane is shown. */
+static const Point3 box[2] = { { -CAMERA_GROUND, -CAMERA_GROUND, 0 },
+                               { CAMERA_GROUND, CAMERA_GROUND, 0 } };
+
 static void
 add_plane (SceneBuilder *builder)
 {
-  const Point3 box[2] = { { -CAMERA_GROUND, -CAMERA_GROUND, 0 },
-                          { CAMERA_GROUND, CAMERA_GROUND, 0 } };
   SceneDiagram *diagram = scene_diagram_new (builder, box);
 
   builder->pass = PASS_GROUND;
@@ -71,14 +73,11 @@ add_plane (SceneBuilder *builder)
   scene_add_cone_shadow (builder);
   scene_add_cone_edges (builder, false);
   scene_add_horizon (builder, false);
-  scene_add_lit_facets (builder, false);
-  scene_add_preview (diagram, builder);
   scene_add_voronoi_vertices (diagram);
   add_feet (builder);
   builder->pass = PASS_OUTER;
   if (scene_has_layer (builder, LAYER_TANGENTS))
     scene_add_tangents (builder, diagram);
-  scene_add_why_plane (builder);
   scene_diagram_free (diagram);
 }
 
@@ -368,6 +367,23 @@ add_marks (SceneBuilder *builder)
 }
 
 void
+scene_add_pointed_space (SceneBuilder *builder)
+{
+  builder->pass = PASS_GROUND;
+  scene_add_lit_circles (builder, box);
+  scene_add_lit_facets (builder, false);
+  scene_add_preview (builder, box);
+  builder->pass = PASS_OUTER;
+  scene_add_why_plane (builder);
+  builder->pass = PASS_LINES;
+  scene_add_lit_facets (builder, true);
+  scene_add_why (builder, true);
+  scene_add_preview_lift (builder);
+  builder->pass = PASS_MARKS;
+  scene_add_selected_name (builder, true);
+}
+
+void
 scene_space (Scene *scene, const Frame *frame, const SceneLook *look)
 {
   SceneBuilder builder;
@@ -390,12 +406,11 @@ scene_space (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_cone_edges (&builder, true);
   scene_add_selected_facet (&builder, true);
   scene_add_horizon (&builder, true);
-  scene_add_lit_facets (&builder, true);
-  scene_add_why (&builder, true);
-  scene_add_preview_lift (&builder);
   builder.pass = PASS_MARKS;
   add_marks (&builder);
-  scene_add_facet_names (&builder, true);
+  scene_add_step_name (&builder, true);
   scene_add_answers (&builder, true);
+  scene_light (&builder);
+  scene_add_pointed_space (&builder);
   scene_builder_clear (&builder);
 }

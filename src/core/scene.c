@@ -1,5 +1,7 @@
 #include "scene.h"
 
+#include "scene-builder.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -106,5 +108,7 @@ scene_clear (Scene *scene)
   free (scene->items);
   free (scene->points);
   free (scene->labels);
+  free (scene->lit);
+  scene_index_clear (&scene->index);
   memset (scene, 0, sizeof *scene);
 }

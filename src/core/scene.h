@@ -191,18 +191,6 @@ typedef struct SceneItem {
   const char *label;  /* marks: "s7", or NULL; owned by the scene */
 } SceneItem;
 
-#define LABEL_ROOM 24
-
-typedef struct Scene {
-  SceneItem *items;
-  uint32_t n_items, items_room;
-  Point3 *points;
-  uint32_t n_points, points_room;
-  bool is_space; /* else plane: all z are 0 and passes do not matter */
-  char (*labels)[LABEL_ROOM];
-  uint32_t n_labels, labels_room;
-} Scene;
-
 /* Which of the active roles is loud. */
 typedef enum Focus {
   FOCUS_ACTIVE, /* the active set of the step; the rest pale */
@@ -269,6 +257,39 @@ typedef struct SceneLook {
                        scene_look_fit() */
 } SceneLook;
 
+/* How much of a scene is its stock. It is never lit but in SceneItem.lit. */
+typedef struct SceneStock {
+  uint64_t edition; /* another one whenever a scene is filled; 0: never */
+  uint32_t n_items, n_points, n_labels;
+} SceneStock;
+
+/* Which items of the stock have an object; private to scene-index.c. */
+typedef struct SceneIndex {
+  uint32_t *heads, *next; /* item + 1; 0: none */
+  uint32_t mask, next_room;
+  uint64_t edition; /* of the stock */
+} SceneIndex;
+
+#define LABEL_ROOM 24
+
+/* The items of a scene: first its stock, all that there is to show; then what
+ * is there only because something is selected or under the pointer, as it is
+ * now. */
+typedef struct Scene {
+  SceneItem *items;
+  uint32_t n_items, items_room;
+  Point3 *points;
+  uint32_t n_points, points_room;
+  bool is_space; /* else plane: all z are 0 and passes do not matter */
+  char (*labels)[LABEL_ROOM];
+  uint32_t n_labels, labels_room;
+  SceneLook look; /* that it is filled for */
+  SceneStock stock;
+  uint32_t *lit; /* items of the stock that are lit, ascending, n_lit of them */
+  uint32_t n_lit, lit_room;
+  SceneIndex index;
+} Scene;
+
 #define RAISE_DEFAULT 0.7
 #define RAISE_MOST 2.0
 
@@ -282,6 +303,14 @@ void scene_look_init (SceneLook *look, const Frame *frame);
 void scene_plane (Scene *scene, const Frame *frame, const SceneLook *look);
 void scene_space (Scene *scene, const Frame *frame, const SceneLook *look);
 void scene_clear (Scene *scene);
+
+/* Brings a scene of the same frame to a look that differs from its own only in
+ * what a person points at: hover, selection, measured site, preview.
+ *
+ * Returns: false, and nothing has changed, when it differs in more.
+ * Cost:    O(items that are lit, before or now); the first time, and where a
+ *          preview is, O(items). */
+bool scene_relight (Scene *scene, const Frame *frame, const SceneLook *look);
 
 /* Sets low and high to what @projection, one of the plane view, shows within
  * @inset_px of its border. */
@@ -336,5 +365,20 @@ Object scene_pick (const Scene *scene,
                    const Projection *projection,
                    const double at_px[2],
                    double reach_px);
+
+/* The same, again and again: a picker lists the stock of a scene by place, and
+ * keeps the list as long as scene and projection stay. Nobody can pick what is
+ * there only because of what is pointed at.
+ *
+ * Cost: O(items near the pixel); the first time O(items). */
+typedef struct ScenePicker ScenePicker;
+
+ScenePicker *scene_picker_new (void);
+void scene_picker_free (ScenePicker *picker);
+Object scene_picker_pick (ScenePicker *picker,
+                          const Scene *scene,
+                          const Projection *projection,
+                          const double at_px[2],
+                          double reach_px);
 
 #endif

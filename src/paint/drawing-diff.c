@@ -1,19 +1,15 @@
-/* What differs between two drawings: the rectangles outside which both have
- * the same strokes in the same order, so the same pixels. */
-#include "drawing.h"
+/* What differs between two drawings: the squares outside which both have the
+ * same strokes in the same order, so the same pixels. */
 #include "memory.h"
+#include "squares.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Rectangles are made of squares of so many device pixels. */
-#define SQUARE 32
-
 /* Strokes and names of a drawing as marks: equal ones have equal marks. */
 typedef struct Marks {
   uint64_t *marks;
-  const PixelBox **boxes;
   bool *is_kept;
   uint32_t n;
 } Marks;
@@ -60,7 +56,6 @@ marks_init (Marks *marks, const Drawing *drawing)
 
   marks->n = drawing->n_strokes + drawing->n_placed;
   marks->marks = memory_new (marks->n, sizeof *marks->marks);
-  marks->boxes = memory_new (marks->n, sizeof *marks->boxes);
   marks->is_kept = memory_new (marks->n, sizeof *marks->is_kept);
   for (i = 0; i < drawing->n_styles; i++)
     styles[i] = mark_of_style (&drawing->styles[i]);
@@ -72,7 +67,6 @@ marks_init (Marks *marks, const Drawing *drawing)
     mark = mix_number (mark, stroke->n_outer);
     marks->marks[n] = mix (mark, &drawing->pixels[stroke->first],
                            stroke->n * sizeof (Pixel));
-    marks->boxes[n] = &stroke->box;
   }
   for (i = 0; i < drawing->n_placed; i++, n++) {
     const PlacedName *placed = &drawing->placed[i];
@@ -80,7 +74,6 @@ marks_init (Marks *marks, const Drawing *drawing)
 
     mark = mix (mark, &placed->colour, sizeof placed->colour);
     marks->marks[n] = mix (mark, &placed->at, sizeof placed->at);
-    marks->boxes[n] = &placed->box;
   }
   free (styles);
 }
@@ -89,7 +82,6 @@ static void
 marks_clear (Marks *marks)
 {
   free (marks->marks);
-  free (marks->boxes);
   free (marks->is_kept);
 }
 
@@ -214,87 +206,35 @@ keep_middle (Marks *before, Marks *after, uint32_t from, const uint32_t ends[2])
   free (place);
 }
 
-/* Squares of the picture that are to be painted. */
-typedef struct Squares {
-  int columns, rows;
-  double per_px; /* squares per px */
-  bool *is_old;
-} Squares;
-
-static int
-square_at (double px, const Squares *squares, int most)
-{
-  const double square = floor (px * squares->per_px);
-
-  return square < 0 ? 0 : square > most ? most : (int)square;
-}
-
 static void
-mark_squares (Squares *squares, const Marks *marks)
+mark_changes (Squares *squares, const Drawing *drawing, const Marks *marks)
 {
   uint32_t i;
-  int row, column;
 
   for (i = 0; i < marks->n; i++) {
-    const PixelBox *box = marks->boxes[i];
-    int left, right;
-
-    if (marks->is_kept[i] || box->right <= 0 || box->bottom <= 0)
+    if (marks->is_kept[i])
       continue;
-    left = square_at (box->left, squares, squares->columns);
-    right = square_at (box->right, squares, squares->columns - 1);
-    for (row = square_at (box->top, squares, squares->rows);
-         row <= square_at (box->bottom, squares, squares->rows - 1); row++)
-      for (column = left; column <= right; column++)
-        squares->is_old[row * squares->columns + column] = true;
+    if (i < drawing->n_strokes)
+      squares_mark_stroke (squares, drawing, &drawing->strokes[i]);
+    else
+      squares_mark (squares, &drawing->placed[i - drawing->n_strokes].box);
   }
 }
 
-static cairo_region_t *
-region_of (const Squares *squares)
+void
+drawing_compare (const Drawing *before, const Drawing *after, Squares *squares)
 {
-  cairo_region_t *region = cairo_region_create ();
-  int row, column, end;
-
-  for (row = 0; row < squares->rows; row++)
-    for (column = 0; column < squares->columns; column = end + 1) {
-      const bool *old = &squares->is_old[row * squares->columns];
-      cairo_rectangle_int_t part = { 0, row * SQUARE, 0, SQUARE };
-
-      while (column < squares->columns && !old[column])
-        column++;
-      for (end = column; end < squares->columns && old[end]; end++)
-        continue;
-      part.x = column * SQUARE;
-      part.width = (end - column) * SQUARE;
-      if (part.width > 0)
-        cairo_region_union_rectangle (region, &part);
-    }
-  return region;
-}
-
-cairo_region_t *
-drawing_compare (const Drawing *before, const Drawing *after, double scale)
-{
-  Squares squares = { .per_px = scale / SQUARE };
+  const Drawing *const drawings[2] = { before, after };
   Marks marks[2];
   uint32_t from, ends[2];
-  cairo_region_t *region;
   int i;
 
-  marks_init (&marks[0], before);
-  marks_init (&marks[1], after);
+  for (i = 0; i < 2; i++)
+    marks_init (&marks[i], drawings[i]);
   keep_ends (&marks[0], &marks[1], &from, ends);
   keep_middle (&marks[0], &marks[1], from, ends);
-  squares.columns = (int)ceil (after->width * squares.per_px);
-  squares.rows = (int)ceil (after->height * squares.per_px);
-  squares.is_old = memory_new ((size_t)squares.columns * (size_t)squares.rows,
-                               sizeof *squares.is_old);
   for (i = 0; i < 2; i++) {
-    mark_squares (&squares, &marks[i]);
+    mark_changes (squares, drawings[i], &marks[i]);
     marks_clear (&marks[i]);
   }
-  region = region_of (&squares);
-  free (squares.is_old);
-  return region;
 }

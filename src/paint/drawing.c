@@ -28,6 +28,23 @@ drawing_free (Drawing *drawing)
   free (drawing);
 }
 
+void
+drawing_begin (Drawing *drawing,
+               const Projection *projection,
+               const Theme *theme,
+               const Drawing *stock)
+{
+  drawing->n_strokes = drawing->n_pixels = 0;
+  drawing->n_styles = drawing->n_placed = 0;
+  drawing->theme = theme;
+  drawing->width = projection->width;
+  drawing->height = projection->height;
+  drawing->edition
+      = stock != NULL ? stock->edition : names_begin (drawing->names, theme);
+  drawing->size = stock != NULL ? stock->size : 1;
+  drawing->in_hand = (StrokePlace){ INDEX_NONE, 0, 0 };
+}
+
 uint32_t
 drawing_add_style (Drawing *drawing, const Style *style)
 {
@@ -65,6 +82,7 @@ stroke_begin (Drawing *drawing, StrokeKind kind, uint32_t style)
   stroke->kind = kind;
   stroke->style = style;
   stroke->first = drawing->n_pixels;
+  stroke->place = drawing->in_hand;
   stroke->fill = drawing->styles[style].fill;
   return stroke;
 }
@@ -80,34 +98,34 @@ stroke_add (Drawing *drawing, Pixel pixel)
   drawing->strokes[drawing->n_strokes - 1].n += 1;
 }
 
-/* How far a stroke is painted beyond its pixels. */
-static double
-reach_of (const Drawing *drawing, const Stroke *stroke)
+double
+stroke_reach (const Drawing *drawing, const Stroke *stroke)
 {
   const Style *style = &drawing->styles[stroke->style];
 
   switch (stroke->kind) {
   case STROKE_POLYGON:
-    return fmax (style->width / 2 + style->halo_width,
-                 style->hatch == HATCH_NONE ? 0 : 2 * BRUSH_HATCH_WIDTH);
+    return 1
+           + fmax (style->width / 2 + style->halo_width,
+                   style->hatch == HATCH_NONE ? 0 : 2 * BRUSH_HATCH_WIDTH);
   case STROKE_CASING:
-    return style->casing / 2;
+    return 1 + style->casing / 2;
   case STROKE_LINE:
   case STROKE_RING:
-    return style->width / 2 + style->halo_width;
+    return 1 + style->width / 2 + style->halo_width;
   case STROKE_MARK:
-    return brush_mark_reach (style) + style->width;
+    return 1 + brush_mark_reach (style) + style->width;
   case STROKE_REGION:
     break;
   }
-  return 0;
+  return 1;
 }
 
 void
 stroke_end (Drawing *drawing)
 {
   Stroke *stroke = &drawing->strokes[drawing->n_strokes - 1];
-  const double reach = 1 + reach_of (drawing, stroke);
+  const double reach = stroke_reach (drawing, stroke);
   const Pixel *pixels;
   Pixel low, high;
   uint32_t i;

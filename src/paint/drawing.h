@@ -13,6 +13,7 @@
 #ifndef DRAWING_H
 #define DRAWING_H
 
+#include "box-index.h"
 #include "clip.h"
 #include "names.h"
 #include "theme.h"
@@ -28,10 +29,14 @@ typedef enum StrokeKind {
   STROKE_MARK,
 } StrokeKind;
 
-/* A rectangle of pixels. */
-typedef struct PixelBox {
-  float left, top, right, bottom;
-} PixelBox;
+/* What a stroke is of, and where it stands in the order of paint: by layer,
+ * then by anchor. */
+typedef struct StrokePlace {
+  uint32_t item;   /* of the scene; INDEX_NONE: of none that can be lit */
+  uint32_t anchor; /* an item: of lines and all else itself, of a casing that
+                      before whose line it lies; 0 for what no item is */
+  uint32_t layer;
+} StrokePlace;
 
 typedef struct Stroke {
   StrokeKind kind;
@@ -39,12 +44,14 @@ typedef struct Stroke {
   uint32_t first, n; /* Drawing.pixels[first] … */
   uint32_t n_outer;  /* STROKE_REGION: pixels of the outer ring */
   PixelBox box;      /* nothing is painted outside it */
-  Colour fill;       /* of polygons and regions, instead of the style's */
+  StrokePlace place;
+  Colour fill; /* of polygons and regions, instead of the style's */
 } Stroke;
 
 /* A name in its place. */
 typedef struct PlacedName {
   uint32_t name; /* of Drawing.names */
+  uint32_t item; /* of the scene */
   Pixel at;      /* the upper left corner of its ink, whole pixels */
   Colour colour;
   PixelBox box;
@@ -63,6 +70,8 @@ typedef struct Drawing {
   uint32_t edition;     /* of the names; numbers of another one are void */
   const Theme *theme;   /* borrowed */
   double width, height; /* px */
+  double size;          /* of marks and lines; below 1 in a crowd */
+  StrokePlace in_hand;  /* of the strokes that are begun next */
 } Drawing;
 
 Drawing *drawing_new (Names *names);
@@ -76,14 +85,22 @@ void drawing_set (Drawing *drawing,
                   const Projection *projection,
                   const Theme *theme);
 
-/* Returns: (transfer full): where two drawings of one size and theme differ,
- *          in device pixels, @scale to a px; elsewhere they have the same
- *          pixels. Their names must be of the same Names. */
-cairo_region_t *
-drawing_compare (const Drawing *before, const Drawing *after, double scale);
+/* The same of its stock alone, as if nothing were lit. What is lit can be laid
+ * over it: lit-drawing.h. */
+void drawing_set_stock (Drawing *drawing,
+                        const Scene *scene,
+                        const Projection *projection,
+                        const Theme *theme);
 
 /* Paints strokes and names, without a background. */
 void drawing_to_cairo (const Drawing *drawing, cairo_t *cr);
+
+/* For painter*.c: forgets what @drawing held, and takes size and theme.
+ * Names are those of @stock, or of an edition of their own when it is NULL. */
+void drawing_begin (Drawing *drawing,
+                    const Projection *projection,
+                    const Theme *theme,
+                    const Drawing *stock);
 
 /* For painter*.c: begins a stroke; pixels that are added after it are its
  * own, until stroke_end() finds its box. A stroke without pixels is dropped.
@@ -92,15 +109,11 @@ Stroke *stroke_begin (Drawing *drawing, StrokeKind kind, uint32_t style);
 void stroke_add (Drawing *drawing, Pixel pixel);
 void stroke_end (Drawing *drawing);
 
+/* Returns: how far a stroke is painted beyond its pixels at most, px. */
+double stroke_reach (const Drawing *drawing, const Stroke *stroke);
+
 /* Returns: the number of a style. */
 uint32_t drawing_add_style (Drawing *drawing, const Style *style);
 void drawing_add_name (Drawing *drawing, const PlacedName *placed);
-
-static inline bool
-boxes_meet (const PixelBox *a, const PixelBox *b)
-{
-  return a->left < b->right && b->left < a->right && a->top < b->bottom
-         && b->top < a->bottom;
-}
 
 #endif

@@ -1,15 +1,27 @@
 #include "easel.h"
 
+#include "lit-drawing.h"
 #include "memory.h"
 #include "raster.h"
 
 #include <stdlib.h>
 
+/* What is painted anew is made of squares of so many device pixels: small ones
+ * where only the light has changed. */
+#define SQUARE 16
+#define SQUARE_LIT 8
+
+/* Of a stock and of a light over it: what the picture shows, and room for the
+ * next one. */
 struct Easel {
   Names *names;
-  Drawing *drawing; /* of the picture */
-  Drawing *other;   /* room for the next one */
-  Raster *raster;   /* NULL before the first picture */
+  Drawing *stocks[2];
+  LitDrawing *lights[2];
+  Drawing *merged;    /* what of both is painted */
+  uint64_t edition;   /* of the scene's stock that is drawn as stocks[0] */
+  BoxIndex *boxes;    /* of the strokes of stocks[0] … */
+  bool are_boxes_set; /* … when this is so */
+  Raster *raster;     /* NULL before the first picture */
   Theme theme;
   Projection projection;
   double scale;
@@ -19,20 +31,31 @@ Easel *
 easel_new (void)
 {
   Easel *easel = memory_new (1, sizeof *easel);
+  int i;
 
   easel->names = names_new ();
-  easel->drawing = drawing_new (easel->names);
-  easel->other = drawing_new (easel->names);
+  easel->boxes = box_index_new ();
+  easel->merged = drawing_new (easel->names);
+  for (i = 0; i < 2; i++) {
+    easel->stocks[i] = drawing_new (easel->names);
+    easel->lights[i] = lit_drawing_new (easel->names);
+  }
   return easel;
 }
 
 void
 easel_free (Easel *easel)
 {
+  int i;
+
   if (easel == NULL)
     return;
-  drawing_free (easel->drawing);
-  drawing_free (easel->other);
+  for (i = 0; i < 2; i++) {
+    drawing_free (easel->stocks[i]);
+    lit_drawing_free (easel->lights[i]);
+  }
+  drawing_free (easel->merged);
+  box_index_free (easel->boxes);
   names_free (easel->names);
   raster_free (easel->raster);
   free (easel);
@@ -58,39 +81,133 @@ is_same_sheet (const Easel *easel,
 }
 
 static void
-swap_drawings (Easel *easel)
+draw_stock (Easel *easel, const Scene *scene)
 {
-  Drawing *drawing = easel->drawing;
+  Drawing *stock = easel->stocks[1];
 
-  easel->drawing = easel->other;
-  easel->other = drawing;
+  easel->stocks[1] = easel->stocks[0];
+  easel->stocks[0] = stock;
+  drawing_set_stock (stock, scene, &easel->projection, &easel->theme);
+  easel->edition = scene->stock.edition;
+  easel->are_boxes_set = false;
+}
+
+/* The strokes are listed when something is lit over a stock that stays: on the
+ * next occasions they will be there. */
+static void
+draw_light (Easel *easel, const Scene *scene, bool stays)
+{
+  const Drawing *stock = easel->stocks[0];
+  const PixelBox view = { 0, 0, (float)stock->width, (float)stock->height };
+  LitDrawing *light = easel->lights[1];
+
+  easel->lights[1] = easel->lights[0];
+  easel->lights[0] = light;
+  if (stays && !easel->are_boxes_set) {
+    box_index_set (easel->boxes, &view, &stock->strokes[0].box,
+                   sizeof stock->strokes[0], stock->n_strokes);
+    easel->are_boxes_set = true;
+  }
+  lit_drawing_set (light, stock, scene, &easel->projection,
+                   easel->are_boxes_set ? easel->boxes : NULL);
 }
 
 static bool
 is_same_size (const Easel *easel, double scale)
 {
   return easel->raster != NULL && easel->scale == scale
-         && easel->drawing->width == easel->other->width
-         && easel->drawing->height == easel->other->height;
+         && easel->stocks[0]->width == easel->stocks[1]->width
+         && easel->stocks[0]->height == easel->stocks[1]->height;
 }
 
 static cairo_region_t *
-paint_all (Easel *easel, double scale)
+paint_all (Easel *easel, const Scene *scene, double scale)
 {
-  cairo_surface_t *surface;
+  const Drawing *stock = easel->stocks[0];
   cairo_rectangle_int_t whole = { 0 };
+  cairo_surface_t *surface;
 
   if (!is_same_size (easel, scale)) {
     raster_free (easel->raster);
-    easel->raster
-        = raster_new (easel->drawing->width, easel->drawing->height, scale);
+    easel->raster = raster_new (stock->width, stock->height, scale);
     easel->scale = scale;
   }
-  raster_paint (easel->raster, easel->drawing, NULL);
+  if (scene_has_light (scene)) {
+    lit_drawing_merge (easel->lights[0], stock, scene, NULL, stock->n_strokes,
+                       easel->merged);
+    stock = easel->merged;
+  }
+  raster_paint (easel->raster, stock, NULL);
   surface = raster_get_surface (easel->raster);
   whole.width = cairo_image_surface_get_width (surface);
   whole.height = cairo_image_surface_get_height (surface);
   return cairo_region_create_rectangle (&whole);
+}
+
+/* Returns: the numbers of the stock's strokes that may meet a square, when
+ *          they are listed; free with free(). */
+static uint32_t *
+find_strokes (Easel *easel, const Squares *squares, uint32_t *n)
+{
+  const float side = (float)(1 / squares->per_px);
+  uint32_t *strokes = memory_new (easel->stocks[0]->n_strokes, sizeof *strokes);
+  uint32_t i;
+  int row, column;
+
+  for (row = 0; row < squares->rows; row++)
+    for (column = 0; column < squares->columns; column++) {
+      const float left = (float)column * side, top = (float)row * side;
+      const PixelBox box = { left, top, left + side, top + side };
+
+      if (squares->is_marked[row * squares->columns + column])
+        box_index_find (easel->boxes, &box);
+    }
+  *n = 0;
+  for (i = box_index_next (easel->boxes, 0); i != INDEX_NONE;
+       i = box_index_next (easel->boxes, i + 1))
+    if (squares_meet (squares, &easel->stocks[0]->strokes[i].box))
+      strokes[(*n)++] = i;
+  box_index_forget (easel->boxes);
+  return strokes;
+}
+
+/* Where strokes are not listed, because the stock has changed, all are looked
+ * through, once. */
+static void
+paint_squares (Easel *easel, const Scene *scene, const Squares *squares)
+{
+  const Drawing *stock = easel->stocks[0];
+  uint32_t *strokes = NULL, n = stock->n_strokes;
+
+  if (!scene_has_light (scene) && !easel->are_boxes_set) {
+    raster_paint (easel->raster, stock, squares);
+    return;
+  }
+  if (easel->are_boxes_set)
+    strokes = find_strokes (easel, squares, &n);
+  lit_drawing_merge (easel->lights[0], stock, scene, strokes, n, easel->merged);
+  raster_paint (easel->raster, easel->merged, squares);
+  free (strokes);
+}
+
+/* What has changed of stock and light. */
+static cairo_region_t *
+paint_changes (Easel *easel, const Scene *scene, bool has_other_stock)
+{
+  const Drawing *stock = easel->stocks[0];
+  cairo_region_t *region;
+  Squares squares;
+
+  squares_init (&squares, stock->width, stock->height, easel->scale,
+                has_other_stock ? SQUARE : SQUARE_LIT);
+  if (has_other_stock)
+    drawing_compare (easel->stocks[1], stock, &squares);
+  lit_drawing_compare (easel->lights[1], easel->lights[0], &squares);
+  region = squares_region (&squares);
+  if (!cairo_region_is_empty (region))
+    paint_squares (easel, scene, &squares);
+  squares_clear (&squares);
+  return region;
 }
 
 cairo_region_t *
@@ -101,15 +218,17 @@ easel_paint (Easel *easel,
              double scale)
 {
   const bool is_same = is_same_sheet (easel, projection, theme, scale);
-  cairo_region_t *region;
+  const bool has_other_stock
+      = !is_same || easel->edition != scene->stock.edition;
 
   easel->theme = *theme;
   easel->projection = *projection;
-  swap_drawings (easel);
-  drawing_set (easel->drawing, scene, projection, &easel->theme);
-  if (!is_same || easel->drawing->edition != easel->other->edition)
-    return paint_all (easel, scale);
-  region = drawing_compare (easel->other, easel->drawing, scale);
-  raster_paint (easel->raster, easel->drawing, region);
-  return region;
+  if (has_other_stock)
+    draw_stock (easel, scene);
+  draw_light (easel, scene, !has_other_stock);
+  if (!is_same
+      || (has_other_stock
+          && easel->stocks[0]->edition != easel->stocks[1]->edition))
+    return paint_all (easel, scene, scale);
+  return paint_changes (easel, scene, has_other_stock);
 }

@@ -1,5 +1,6 @@
 #include "label.h"
 
+#include <float.h>
 #include <glib.h>
 #include <math.h>
 #include <string.h>
@@ -10,6 +11,7 @@
 /* Ink in a cell: how bad it is to cover. */
 #define INK_LINE 3
 #define INK_HEAVY 12 /* lines of HEAVY_PX and more */
+#define INK_NAME 30  /* of a name that may be covered */
 #define INK_MARK 60
 #define INK_LABEL 255 /* counts as COST_LABEL */
 #define HEAVY_PX 2.2
@@ -27,6 +29,7 @@
 #define COST_LABEL 4000
 
 struct LabelSheet {
+  int left, top; /* its first cell */
   int columns, rows;
   double width, height;
   unsigned char *ink;
@@ -49,15 +52,22 @@ find_directions (LabelSheet *sheet)
 }
 
 LabelSheet *
-label_sheet_new (double width, double height)
+label_sheet_new (double width, double height, const PixelBox *area)
 {
   LabelSheet *sheet = g_new0 (LabelSheet, 1);
+  int right = (int)ceil (width / CELL), bottom = (int)ceil (height / CELL);
 
+  if (area != NULL) {
+    sheet->left = CLAMP ((int)floor (area->left / CELL), 0, right);
+    sheet->top = CLAMP ((int)floor (area->top / CELL), 0, bottom);
+    right = CLAMP ((int)ceil (area->right / CELL), sheet->left, right);
+    bottom = CLAMP ((int)ceil (area->bottom / CELL), sheet->top, bottom);
+  }
   sheet->width = width;
   sheet->height = height;
-  sheet->columns = (int)ceil (width / CELL);
-  sheet->rows = (int)ceil (height / CELL);
-  sheet->ink = g_malloc0 ((gsize)sheet->columns * (gsize)sheet->rows);
+  sheet->columns = right - sheet->left;
+  sheet->rows = bottom - sheet->top;
+  sheet->ink = g_malloc0 ((gsize)sheet->columns * (gsize)sheet->rows + 1);
   find_directions (sheet);
   return sheet;
 }
@@ -73,7 +83,8 @@ label_sheet_free (LabelSheet *sheet)
 static void
 spill (LabelSheet *sheet, double x, double y, unsigned char ink)
 {
-  const int column = (int)floor (x / CELL), row = (int)floor (y / CELL);
+  const int column = (int)floor (x / CELL) - sheet->left;
+  const int row = (int)floor (y / CELL) - sheet->top;
   unsigned char *cell;
 
   if (column < 0 || column >= sheet->columns || row < 0 || row >= sheet->rows)
@@ -121,13 +132,33 @@ typedef struct Cells {
 } Cells;
 
 static Cells
-cells_of (const LabelSheet *sheet, const Label *label, Pixel low)
+cells_of (const LabelSheet *sheet, Pixel low, double width, double height)
 {
-  return (
-      Cells){ MAX ((int)floor (low.x / CELL), 0),
-              MIN ((int)ceil ((low.x + label->width) / CELL), sheet->columns),
-              MAX ((int)floor (low.y / CELL), 0),
-              MIN ((int)ceil ((low.y + label->height) / CELL), sheet->rows) };
+  const double right = (low.x + width) / CELL;
+  const double bottom = (low.y + height) / CELL;
+
+  /* Rounded towards 0 is rounded down, as far as the sheet goes. */
+  return (Cells){
+    MAX ((int)(low.x / CELL) - sheet->left, 0),
+    MIN ((int)right + (right > (int)right) - sheet->left, sheet->columns),
+    MAX ((int)(low.y / CELL) - sheet->top, 0),
+    MIN ((int)bottom + (bottom > (int)bottom) - sheet->top, sheet->rows)
+  };
+}
+
+void
+label_sheet_name (LabelSheet *sheet, const PixelBox *box)
+{
+  const Cells cells = cells_of (sheet, (Pixel){ box->left, box->top },
+                                box->right - box->left, box->bottom - box->top);
+  int row, column;
+
+  for (row = cells.top; row < cells.bottom; row++)
+    for (column = cells.left; column < cells.right; column++) {
+      unsigned char *cell = &sheet->ink[row * sheet->columns + column];
+
+      *cell = MAX (*cell, INK_NAME);
+    }
 }
 
 /* Sums up the ink, so that the ink under a rectangle is four numbers. */
@@ -192,7 +223,8 @@ cost_of (const LabelSheet *sheet, const Label *label, Pixel low, double most)
                          && low.x + label->width <= sheet->width
                          && low.y + label->height <= sheet->height;
 
-  return ink_under (sheet, cells_of (sheet, label, low), most)
+  return ink_under (sheet, cells_of (sheet, low, label->width, label->height),
+                    most)
          + (is_inside ? 0 : COST_OUTSIDE);
 }
 
@@ -251,9 +283,8 @@ find_place (const LabelSheet *sheet, const Label *label, double limit)
 }
 
 static void
-place (LabelSheet *sheet, Label *label)
+place (LabelSheet *sheet, Label *label, double limit)
 {
-  const double limit = label->is_important ? COST_OUTSIDE : (double)COST_LIMIT;
   const Best best = find_place (sheet, label, limit);
   Cells cells;
   int row;
@@ -262,7 +293,7 @@ place (LabelSheet *sheet, Label *label)
   label->low = best.low;
   if (!label->is_placed)
     return;
-  cells = cells_of (sheet, label, best.low);
+  cells = cells_of (sheet, best.low, label->width, label->height);
   for (row = cells.top; row < cells.bottom && cells.right > cells.left; row++)
     memset (&sheet->ink[row * sheet->columns + cells.left], INK_LABEL,
             (size_t)(cells.right - cells.left));
@@ -276,8 +307,18 @@ label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels)
   sum_ink (sheet);
   for (i = 0; i < n_labels; i++)
     if (labels[i].is_important)
-      place (sheet, &labels[i]);
+      place (sheet, &labels[i], COST_OUTSIDE);
   for (i = 0; i < n_labels; i++)
     if (!labels[i].is_important)
-      place (sheet, &labels[i]);
+      place (sheet, &labels[i], COST_LIMIT);
+}
+
+void
+label_sheet_place_over (LabelSheet *sheet, Label *labels, uint32_t n_labels)
+{
+  uint32_t i;
+
+  sum_ink (sheet);
+  for (i = 0; i < n_labels; i++)
+    place (sheet, &labels[i], DBL_MAX);
 }

@@ -6,6 +6,7 @@
 #ifndef LABEL_H
 #define LABEL_H
 
+#include "box-index.h"
 #include "clip.h"
 
 #include <cairo.h>
@@ -25,14 +26,27 @@ typedef struct Label {
   Pixel low;         /* its upper left corner */
 } Label;
 
-LabelSheet *label_sheet_new (double width, double height);
+/* Of a view of this size. Where only @area of it matters, and what labels come
+ * into it, the sheet may be as small: nothing outside it is known. */
+LabelSheet *label_sheet_new (double width, double height, const PixelBox *area);
 void label_sheet_free (LabelSheet *sheet);
 
 /* What labels should keep off. A heavier line is worse to cover. */
 void label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px);
 void label_sheet_mark (LabelSheet *sheet, Pixel at, double reach);
 
+/* A name that may be covered, though it is a pity. */
+void label_sheet_name (LabelSheet *sheet, const PixelBox *box);
+
 /* Places all labels that find room. */
 void label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels);
+
+/* Places all labels, each over what is the least pity. */
+void
+label_sheet_place_over (LabelSheet *sheet, Label *labels, uint32_t n_labels);
+
+/* Nothing further from its mark than this, beyond reach and size of a label,
+ * is a place for it. */
+#define LABEL_NEAR_PX 20.0
 
 #endif

@@ -7,16 +7,15 @@
 #define PADDING 1.5
 #define CROWDED 0.75 /* where sites are drawn smaller, few have names */
 
-/* So few names see only the ink near them: px, more than any place of a name
- * is away from its mark. */
+/* So few names see only the ink near them; and so few that are lit are all
+ * shown, whatever they cover. */
 #define FEW 24
-#define NEAR_PX 60.0
 
+/* What has its name also in a crowd. */
 static bool
 is_important (const SceneItem *item)
 {
-  return item->emphasis == EMPHASIS_LOUD || item->lit != LIT_NONE
-         || item->role == ROLE_SITE_APEX || item->role == ROLE_POWER;
+  return item->emphasis == EMPHASIS_LOUD || item->role == ROLE_SITE_APEX;
 }
 
 static NameFace
@@ -27,11 +26,25 @@ face_of (const SceneItem *item)
   return item->role == ROLE_FACET_NAME ? NAME_FACET : NAME_PLAIN;
 }
 
-/* A name to be placed, and its number. */
+/* Names to be placed. */
 typedef struct Wanted {
-  uint32_t name;
-  const SceneItem *item;
+  GArray *labels; /* Label */
+  GArray *names;  /* the number of each */
 } Wanted;
+
+static void
+wanted_init (Wanted *wanted)
+{
+  wanted->labels = g_array_new (FALSE, TRUE, sizeof (Label));
+  wanted->names = g_array_new (FALSE, FALSE, sizeof (uint32_t));
+}
+
+static void
+wanted_clear (Wanted *wanted)
+{
+  g_array_unref (wanted->labels);
+  g_array_unref (wanted->names);
+}
 
 static bool
 is_in_view (const Painter *painter, Pixel at)
@@ -40,54 +53,64 @@ is_in_view (const Painter *painter, Pixel at)
          && at.y <= painter->projection->height;
 }
 
-/* Finds the names of all marks in the view: one of @wanted for each label. */
-static GArray *
-find_labels (const Painter *painter, GArray *wanted)
+/* How far the mark of an item is painted round its place. */
+static double
+reach_of_mark (Painter *painter, const SceneItem *item)
 {
-  GArray *labels = g_array_new (FALSE, TRUE, sizeof (Label));
-  uint32_t i;
+  Style style;
 
-  for (i = 0; i < painter->scene->n_items; i++) {
-    const SceneItem *item = &painter->scene->items[i];
-    Wanted want = { .item = item };
-    Label label = { .text = item->label, .item = i };
-    NameSize size;
-    Style style;
+  painter->depth = scene_depth (painter->scene, item, painter->projection);
+  style = painter_style (painter, item);
+  return brush_mark_reach (&style);
+}
 
-    if (item->label == NULL || item->fade >= 1
-        || (painter->size < CROWDED && !is_important (item))
-        || !clip_point (painter->projection,
-                        painter->scene->points[item->first], &label.at)
-        || !is_in_view (painter, label.at))
-      continue;
-    style = painter_style (painter, item);
-    want.name
-        = names_find (painter->drawing->names, item->label, face_of (item));
-    size = names_size (painter->drawing->names, want.name);
-    label.width = size.width + 2 * PADDING;
-    label.height = size.height + 2 * PADDING;
-    label.reach = brush_mark_reach (&style);
-    label.is_important = is_important (item);
-    label.is_centred = item->role == ROLE_FACET_NAME;
-    g_array_append_val (labels, label);
-    g_array_append_val (wanted, want);
-  }
-  return labels;
+/* Wants the name of an item, if it has one and is in the view. */
+static void
+want (Painter *painter, Wanted *wanted, uint32_t number)
+{
+  const SceneItem *item = &painter->scene->items[number];
+  Names *names = painter->drawing->names;
+  Label label = { .text = item->label, .item = number };
+  uint32_t name;
+  NameSize size;
+
+  if (item->label == NULL || item->fade >= 1
+      || !clip_point (painter->projection, painter->scene->points[item->first],
+                      &label.at)
+      || !is_in_view (painter, label.at))
+    return;
+  name = names_find (names, item->label, face_of (item));
+  size = names_size (names, name);
+  label.width = size.width + 2 * PADDING;
+  label.height = size.height + 2 * PADDING;
+  label.reach = reach_of_mark (painter, item);
+  label.is_important = is_important (item);
+  label.is_centred = item->role == ROLE_FACET_NAME;
+  g_array_append_val (wanted->labels, label);
+  g_array_append_val (wanted->names, name);
+}
+
+/* All that can be of concern to a name. */
+static PixelBox
+box_near (const Label *label)
+{
+  const double reach
+      = label->reach + MAX (label->width, label->height) + LABEL_NEAR_PX;
+
+  return (PixelBox){ (float)(label->at.x - reach), (float)(label->at.y - reach),
+                     (float)(label->at.x + reach),
+                     (float)(label->at.y + reach) };
 }
 
 static bool
-is_near (const Stroke *stroke, const GArray *labels)
+is_near (const PixelBox *box, const GArray *labels)
 {
   guint i;
 
   for (i = 0; i < labels->len; i++) {
-    const Label *label = &g_array_index (labels, Label, i);
-    const double reach = label->reach + label->width + NEAR_PX;
-    const PixelBox box
-        = { (float)(label->at.x - reach), (float)(label->at.y - reach),
-            (float)(label->at.x + reach), (float)(label->at.y + reach) };
+    const PixelBox near = box_near (&g_array_index (labels, Label, i));
 
-    if (boxes_meet (&stroke->box, &box))
+    if (boxes_meet (box, &near))
       return true;
   }
   return false;
@@ -111,17 +134,18 @@ add_ink (const Drawing *drawing, const Stroke *stroke, LabelSheet *sheet)
 
 /* A name on whole pixels is crisp, and can be painted from a mask. */
 static void
-add_name (Painter *painter, const Label *label, const Wanted *want)
+add_name (Painter *painter, const Label *label, uint32_t name)
 {
   const Theme *theme = painter->theme;
+  const Role role = painter->scene->items[label->item].role;
   const double x = floor (label->low.x + PADDING + 0.5);
   const double y = floor (label->low.y + PADDING + 0.5);
-  const NameSize size = names_size (painter->drawing->names, want->name);
+  const NameSize size = names_size (painter->drawing->names, name);
   const PlacedName placed = {
-    .name = want->name,
+    .name = name,
+    .item = label->item,
     .at = { x, y },
-    .colour
-    = want->item->role == ROLE_SITE_APEX ? theme->apex_text : theme->text,
+    .colour = role == ROLE_SITE_APEX ? theme->apex_text : theme->text,
     .box = { (float)(x - NAME_CASING), (float)(y - NAME_CASING),
              (float)(x + size.width + NAME_CASING),
              (float)(y + size.height + NAME_CASING) },
@@ -130,27 +154,150 @@ add_name (Painter *painter, const Label *label, const Wanted *want)
   drawing_add_name (painter->drawing, &placed);
 }
 
+static void
+add_placed (Painter *painter, const Wanted *wanted)
+{
+  guint i;
+
+  for (i = 0; i < wanted->labels->len; i++) {
+    const Label *label = &g_array_index (wanted->labels, Label, i);
+
+    if (label->is_placed)
+      add_name (painter, label, g_array_index (wanted->names, uint32_t, i));
+  }
+}
+
+static void
+place_in_stock (Painter *painter, const Wanted *wanted)
+{
+  const Drawing *drawing = painter->drawing;
+  const GArray *labels = wanted->labels;
+  LabelSheet *sheet = label_sheet_new (drawing->width, drawing->height, NULL);
+  uint32_t i;
+
+  for (i = 0; i < drawing->n_strokes; i++)
+    if (labels->len > FEW || is_near (&drawing->strokes[i].box, labels))
+      add_ink (drawing, &drawing->strokes[i], sheet);
+  label_sheet_place (sheet, (Label *)labels->data, labels->len);
+  label_sheet_free (sheet);
+}
+
 void
 painter_add_names (Painter *painter)
 {
-  g_autoptr (GArray) wanted = g_array_new (FALSE, FALSE, sizeof (Wanted));
-  g_autoptr (GArray) labels = find_labels (painter, wanted);
-  const Drawing *drawing = painter->drawing;
-  LabelSheet *sheet;
+  const Scene *scene = painter->scene;
+  Wanted wanted;
+  uint32_t i;
+
+  wanted_init (&wanted);
+  for (i = 0; i < scene->stock.n_items; i++)
+    if (painter->drawing->size >= CROWDED || is_important (&scene->items[i]))
+      want (painter, &wanted, i);
+  if (wanted.labels->len > 0)
+    place_in_stock (painter, &wanted);
+  add_placed (painter, &wanted);
+  wanted_clear (&wanted);
+}
+
+/* Names of what is lit */
+
+static PixelBox
+area_of (const GArray *labels)
+{
+  PixelBox area = box_near (&g_array_index (labels, Label, 0));
   guint i;
 
-  if (labels->len == 0)
-    return;
-  sheet = label_sheet_new (drawing->width, drawing->height);
-  for (i = 0; i < drawing->n_strokes; i++)
-    if (labels->len > FEW || is_near (&drawing->strokes[i], labels))
-      add_ink (drawing, &drawing->strokes[i], sheet);
-  label_sheet_place (sheet, (Label *)labels->data, labels->len);
-  for (i = 0; i < labels->len; i++) {
-    const Label *label = &g_array_index (labels, Label, i);
+  for (i = 1; i < labels->len; i++) {
+    const PixelBox near = box_near (&g_array_index (labels, Label, i));
 
-    if (label->is_placed)
-      add_name (painter, label, &g_array_index (wanted, Wanted, i));
+    area.left = MIN (area.left, near.left);
+    area.top = MIN (area.top, near.top);
+    area.right = MAX (area.right, near.right);
+    area.bottom = MAX (area.bottom, near.bottom);
   }
+  return area;
+}
+
+/* Adds the ink of all strokes of @stock that are near a label; others do no
+ * harm. */
+static void
+add_ink_near (LabelSheet *sheet,
+              const Drawing *stock,
+              const GArray *labels,
+              BoxIndex *strokes)
+{
+  uint32_t i;
+
+  /* In a crowd there is ink everywhere: a name is best next to its mark. */
+  if (stock->size < CROWDED)
+    return;
+  if (strokes == NULL) {
+    for (i = 0; i < stock->n_strokes; i++)
+      if (labels->len > FEW || is_near (&stock->strokes[i].box, labels))
+        add_ink (stock, &stock->strokes[i], sheet);
+    return;
+  }
+  for (i = 0; i < labels->len; i++) {
+    const PixelBox near = box_near (&g_array_index (labels, Label, i));
+
+    box_index_find (strokes, &near);
+  }
+  for (i = box_index_next (strokes, 0); i != INDEX_NONE;
+       i = box_index_next (strokes, i + 1))
+    add_ink (stock, &stock->strokes[i], sheet);
+  box_index_forget (strokes);
+}
+
+/* What is lit has its name placed anew. */
+static void
+add_names_of (const Drawing *stock, const Scene *scene, LabelSheet *sheet)
+{
+  uint32_t i;
+
+  for (i = 0; i < stock->n_placed; i++)
+    if (scene->items[stock->placed[i].item].lit == LIT_NONE)
+      label_sheet_name (sheet, &stock->placed[i].box);
+}
+
+/* Places what is wanted over the strokes of @stock and those so far. */
+static void
+place_over (const Painter *painter,
+            const GArray *labels,
+            const Drawing *stock,
+            BoxIndex *strokes)
+{
+  const Drawing *drawing = painter->drawing;
+  const PixelBox area = area_of (labels);
+  LabelSheet *sheet = label_sheet_new (drawing->width, drawing->height, &area);
+  uint32_t i;
+
+  add_ink_near (sheet, stock, labels, strokes);
+  for (i = 0; i < drawing->n_strokes; i++)
+    add_ink (drawing, &drawing->strokes[i], sheet);
+  add_names_of (stock, painter->scene, sheet);
+  if (labels->len > FEW)
+    label_sheet_place (sheet, (Label *)labels->data, labels->len);
+  else
+    label_sheet_place_over (sheet, (Label *)labels->data, labels->len);
   label_sheet_free (sheet);
+}
+
+void
+painter_add_lit_names (Painter *painter,
+                       const uint32_t *items,
+                       uint32_t n,
+                       const Drawing *stock,
+                       BoxIndex *strokes)
+{
+  Wanted wanted;
+  uint32_t i;
+
+  /* What is only there because of the light comes first. */
+  wanted_init (&wanted);
+  for (i = n; i-- > 0;)
+    want (painter, &wanted, items[i]);
+  if (wanted.labels->len > 0)
+    place_over (painter, wanted.labels, stock, strokes);
+  add_placed (painter, &wanted);
+  wanted_clear (&wanted);
 }

@@ -7,8 +7,23 @@
 #include "label.h"
 #include "painter.h"
 
-/* Sorts of items: one for each role, emphasis, lit, shape, layer of paint, and
- * whether they stand for a Voronoi vertex. */
+/* Layers of paint: of each depth first surfaces and lines, then marks. */
+#define N_PAINT_LAYERS (2 * N_SCENE_DEPTHS)
+
+static inline SceneDepth
+paint_layer_depth (uint32_t layer)
+{
+  return (SceneDepth)(layer / 2);
+}
+
+static inline bool
+paint_layer_is_marks (uint32_t layer)
+{
+  return layer % 2 == 1;
+}
+
+/* Sorts of items: one for each role, emphasis, lit, shape, depth, and whether
+ * they stand for a Voronoi vertex. */
 #define N_PAINTER_SORTS (N_ROLES * 3 * 3 * 3 * N_SCENE_DEPTHS * 2)
 
 /* The style last given to a sort of items. */
@@ -22,12 +37,31 @@ typedef struct Painter {
   const Scene *scene;
   const Projection *projection;
   const Theme *theme;
-  unsigned char *depths; /* per item */
-  Pixel *corners;        /* room for the largest polygon */
-  PainterSort *sorts;    /* N_PAINTER_SORTS of them */
-  double size;           /* of marks and lines; below 1 where many sites
-                            share the view */
+  bool is_plain;      /* paints as if nothing were lit */
+  SceneDepth depth;   /* of the items in hand */
+  PainterSort *sorts; /* N_PAINTER_SORTS of them; NULL where few are painted */
+  Pixel *corners;     /* room for a polygon */
+  uint32_t corners_room;
 } Painter;
+
+/* Items of a scene back to front. */
+typedef struct PaintOrder {
+  uint32_t *items;
+  uint32_t starts[N_PAINT_LAYERS + 1]; /* where each layer begins */
+} PaintOrder;
+
+/* Orders @n items, ascending; all from the first one when @items is NULL. */
+void paint_order_init (PaintOrder *order,
+                       const Painter *painter,
+                       const uint32_t *items,
+                       uint32_t n);
+void paint_order_clear (PaintOrder *order);
+
+/* Adds strokes of @n items, ascending. */
+void painter_add_items (Painter *painter, const uint32_t *items, uint32_t n);
+
+/* Returns: the number of the item's style in the drawing. */
+uint32_t painter_number_style (Painter *painter, const SceneItem *item);
 
 /* Returns: the item's style as it is painted: thinner in a crowd, on the
  *          ground of space, and behind the hull. */
@@ -42,9 +76,19 @@ void painter_trace (Painter *painter,
 /* Adds the lines of the paraboloid on the side that faces the eye, or on the
  * other one. The sheet itself lies behind the hull, both sides of it: a
  * yellow one would turn blue facets into green ones. */
-void painter_add_sheet (Painter *painter, bool is_near);
+void
+painter_add_sheet (Painter *painter, const PaintOrder *order, bool is_near);
 
-/* Adds names where they find room. */
+/* Adds names of the stock where they find room. */
 void painter_add_names (Painter *painter);
+
+/* Adds the names of @n items that are lit or pointed at, each where it covers
+ * least of @stock and of the strokes so far. @strokes lists those of the
+ * stock; NULL: all are looked through. */
+void painter_add_lit_names (Painter *painter,
+                            const uint32_t *items,
+                            uint32_t n,
+                            const Drawing *stock,
+                            BoxIndex *strokes);
 
 #endif

@@ -10,6 +10,8 @@
 /* Rings that make the outline smooth; the scene's own are a few lines. */
 #define N_RINGS 24
 
+#define SHEET_LAYER (2 * DEPTH_SHEET_FAR) /* where its own lines are listed */
+
 static bool
 is_sheet (const SceneItem *item)
 {
@@ -103,13 +105,13 @@ hull_of (GArray *pixels)
 
 /* The rim tells which part of which paraboloid it is. */
 static const SceneItem *
-find_rim (const Scene *scene)
+find_rim (const Scene *scene, const PaintOrder *order)
 {
   uint32_t i;
 
-  for (i = 0; i < scene->n_items; i++)
-    if (scene->items[i].role == ROLE_RIM)
-      return &scene->items[i];
+  for (i = order->starts[SHEET_LAYER]; i < order->starts[SHEET_LAYER + 1]; i++)
+    if (scene->items[order->items[i]].role == ROLE_RIM)
+      return &scene->items[order->items[i]];
   return NULL;
 }
 
@@ -226,10 +228,10 @@ add_outline (Painter *painter, const SceneItem *rim, GArray *all)
 }
 
 void
-painter_add_sheet (Painter *painter, bool is_near)
+painter_add_sheet (Painter *painter, const PaintOrder *order, bool is_near)
 {
   const Scene *scene = painter->scene;
-  const SceneItem *rim = find_rim (scene);
+  const SceneItem *rim = find_rim (scene, order);
   uint32_t i;
 
   if (rim == NULL)
@@ -241,8 +243,9 @@ painter_add_sheet (Painter *painter, bool is_near)
     fill_side (painter, rim, all, true);
     add_outline (painter, rim, all);
   }
-  for (i = 0; i < scene->n_items; i++) {
-    const SceneItem *item = &scene->items[i];
+  for (i = order->starts[SHEET_LAYER]; i < order->starts[SHEET_LAYER + 1];
+       i++) {
+    const SceneItem *item = &scene->items[order->items[i]];
     Style style;
 
     if (!is_sheet (item))

@@ -1,22 +1,17 @@
 #include "painter.h"
 
+#include "lit-drawing.h"
+#include "memory.h"
 #include "painter-private.h"
 
 #include <glib.h>
 #include <math.h>
-
-/* In space what lies in the plane is drawn thinner than in the plane view, and
- * lines behind the hull thinner and paler than those before it. */
-#define GROUND_WIDTH 0.62
-#define UNDER_ALPHA 0.12
-#define FAR_WIDTH 0.75
-#define FAR_ALPHA 0.5
-#define FAR_FILL 0.45
+#include <stdlib.h>
 
 /* Between the sites of a crowd; where there is less room, all is smaller. */
 #define ROOMY_PX 38.0
 #define SIZE_LEAST 0.25
-#define DASH_LEAST 2.8   /* of the lifts */
+
 #define LEAST_RADIUS 1.3 /* of a mark; what is smaller is left out */
 
 /* Shade of a facet seen edge-on; face-on it is 1. */
@@ -48,99 +43,6 @@ painter_trace (Painter *painter,
     at = ends[1];
   }
   stroke_end (drawing);
-}
-
-static void
-scale_style (Style *style, double size)
-{
-  style->width *= size;
-  style->casing *= size;
-  style->dash *= size;
-  style->gap *= size;
-}
-
-static void
-adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
-{
-  const SceneDepth depth = painter->depths[item - painter->scene->items];
-
-  if (!painter->scene->is_space)
-    return;
-  if (depth == DEPTH_GROUND || depth == DEPTH_UNDER) {
-    scale_style (style, GROUND_WIDTH);
-    if (item->object.kind == OBJECT_VERTEX)
-      style->radius *= GROUND_WIDTH;
-    /* Seen from below the plane is glass: the hull is what one looks at. */
-    if (depth == DEPTH_UNDER && item->shape == SHAPE_POLYGON) {
-      style->fill.alpha *= UNDER_ALPHA;
-      style->hatch = HATCH_NONE;
-    }
-  }
-  if (depth != DEPTH_HULL_FAR && depth != DEPTH_CONE_FAR)
-    return;
-  if (item->shape == SHAPE_PATH) {
-    style->width *= FAR_WIDTH;
-    style->line.alpha *= FAR_ALPHA;
-    style->casing = 0;
-  } else if (item->emphasis != EMPHASIS_LOUD) {
-    style->fill.alpha *= painter->theme->has_mat ? 0 : FAR_FILL;
-    style->line.alpha *= FAR_FILL;
-  }
-}
-
-/* The active set stays larger than the crowd. */
-static void
-adapt_to_crowd (const Painter *painter, const SceneItem *item, Style *style)
-{
-  const bool is_loud = item->emphasis == EMPHASIS_LOUD || item->lit != LIT_NONE;
-  const double size = is_loud ? sqrt (painter->size) : painter->size;
-
-  scale_style (style, size);
-  style->radius *= size;
-  if (item->role != ROLE_LIFT || is_loud)
-    return;
-  style->line.alpha *= size * size;
-  /* So many dashes, so short, are a paler line. */
-  if (style->dash < DASH_LEAST && style->dash > 0) {
-    style->line.alpha *= style->dash / (style->dash + style->gap);
-    style->dash = style->gap = 0;
-  }
-}
-
-Style
-painter_style (const Painter *painter, const SceneItem *item)
-{
-  Style style = theme_style (painter->theme, item);
-
-  if (painter->size < 1)
-    adapt_to_crowd (painter, item, &style);
-  adapt_to_depth (painter, item, &style);
-  return style;
-}
-
-/* Items of one sort share a style, but for the hue of a cell.
- *
- * Returns: the number of the style. */
-static uint32_t
-style_of (Painter *painter, const SceneItem *item)
-{
-  const uint32_t index = (uint32_t)(item - painter->scene->items);
-  uint32_t sort = (uint32_t)item->role;
-  PainterSort *known;
-
-  sort = (3 * sort + (uint32_t)item->emphasis) * 3 + (uint32_t)item->lit;
-  sort = 3 * sort + (uint32_t)item->shape;
-  sort = N_SCENE_DEPTHS * sort + painter->depths[index];
-  sort = 2 * sort + (item->object.kind == OBJECT_VERTEX);
-  known = &painter->sorts[sort];
-  if (known->style == 0 || known->fade < item->fade
-      || known->fade > item->fade) {
-    const Style style = painter_style (painter, item);
-
-    known->style = 1 + drawing_add_style (painter->drawing, &style);
-    known->fade = item->fade;
-  }
-  return known->style - 1;
 }
 
 static Point3
@@ -193,10 +95,14 @@ shaded (const Painter *painter, const SceneItem *item, Colour fill)
 static void
 add_corners (Painter *painter, const SceneItem *item)
 {
-  const uint32_t n
-      = clip_polygon (painter->projection, &painter->scene->points[item->first],
-                      item->n, PAINTER_MARGIN, painter->corners);
-  uint32_t i;
+  uint32_t i, n;
+
+  if (CLIP_ROOM (item->n) > painter->corners_room)
+    painter->corners
+        = memory_grow (painter->corners, &painter->corners_room,
+                       CLIP_ROOM (item->n), sizeof *painter->corners);
+  n = clip_polygon (painter->projection, &painter->scene->points[item->first],
+                    item->n, PAINTER_MARGIN, painter->corners);
 
   for (i = 0; i < n; i++)
     stroke_add (painter->drawing, painter->corners[i]);
@@ -207,7 +113,7 @@ static void
 add_polygon (Painter *painter, const SceneItem *item)
 {
   Drawing *drawing = painter->drawing;
-  const uint32_t style = style_of (painter, item);
+  const uint32_t style = painter_number_style (painter, item);
   const Style *look = &drawing->styles[style];
   Stroke *stroke;
 
@@ -221,28 +127,35 @@ add_polygon (Painter *painter, const SceneItem *item)
   add_corners (painter, item);
 }
 
-/* The casings of a chain of lines of one depth come before all its lines, or
+/* The strokes that follow are of an item; they lie where @anchor is. */
+static void
+take_in_hand (Painter *painter, uint32_t item, uint32_t anchor)
+{
+  painter->drawing->in_hand.item = item;
+  painter->drawing->in_hand.anchor = anchor;
+}
+
+/* The casings of a chain of lines of one layer come before all its lines, or
  * they would cut them where they meet.
  *
- * Returns: the item after the chain that begins at @first. */
+ * Returns: the place after the chain that begins at @first. */
 static uint32_t
-add_casings (Painter *painter, uint32_t first)
+add_casings (Painter *painter, const PaintOrder *order, uint32_t first)
 {
-  const Scene *scene = painter->scene;
+  const uint32_t end = order->starts[painter->drawing->in_hand.layer + 1];
   uint32_t i;
 
-  for (i = first; i < scene->n_items; i++) {
-    const SceneItem *item = &scene->items[i];
+  for (i = first; i < end; i++) {
+    const SceneItem *item = &painter->scene->items[order->items[i]];
     uint32_t style;
 
     if (item->shape != SHAPE_PATH)
       break;
-    if (painter->depths[i] != painter->depths[first])
-      continue;
     /* To find a style may move all of them. */
-    style = style_of (painter, item);
+    style = painter_number_style (painter, item);
     if (!(painter->drawing->styles[style].casing > 0))
       break;
+    take_in_hand (painter, order->items[i], order->items[first]);
     painter_trace (painter, item, STROKE_CASING, style);
   }
   return i;
@@ -251,7 +164,7 @@ add_casings (Painter *painter, uint32_t first)
 static void
 add_path (Painter *painter, const SceneItem *item)
 {
-  const uint32_t style = style_of (painter, item);
+  const uint32_t style = painter_number_style (painter, item);
 
   if (painter->drawing->styles[style].line.alpha > 0)
     painter_trace (painter, item, STROKE_LINE, style);
@@ -260,7 +173,7 @@ add_path (Painter *painter, const SceneItem *item)
 static void
 add_mark (Painter *painter, const SceneItem *item)
 {
-  const uint32_t style = style_of (painter, item);
+  const uint32_t style = painter_number_style (painter, item);
   const Style *look = &painter->drawing->styles[style];
   Pixel at;
 
@@ -276,31 +189,40 @@ add_mark (Painter *painter, const SceneItem *item)
   stroke_end (painter->drawing);
 }
 
+/* Adds the items of a layer. */
 static void
-add_depth (Painter *painter, SceneDepth depth)
+add_layer (Painter *painter, const PaintOrder *order, uint32_t layer)
 {
-  const Scene *scene = painter->scene;
   uint32_t i, cased = 0;
 
-  for (i = 0; i < scene->n_items; i++) {
-    const SceneItem *item = &scene->items[i];
+  painter->depth = paint_layer_depth (layer);
+  painter->drawing->in_hand.layer = layer;
+  for (i = order->starts[layer]; i < order->starts[layer + 1]; i++) {
+    const uint32_t number = order->items[i];
+    const SceneItem *item = &painter->scene->items[number];
 
-    if (painter->depths[i] != (unsigned char)depth)
-      continue;
-    switch (item->shape) {
-    case SHAPE_POLYGON:
+    if (item->shape == SHAPE_PATH && i >= cased)
+      cased = MAX (add_casings (painter, order, i), i + 1);
+    take_in_hand (painter, number, number);
+    if (item->shape == SHAPE_POLYGON)
       add_polygon (painter, item);
-      break;
-    case SHAPE_PATH:
-      if (i >= cased)
-        cased = MAX (add_casings (painter, i), i + 1);
+    else if (item->shape == SHAPE_PATH)
       add_path (painter, item);
-      break;
-    case SHAPE_MARK:
+    else
       add_mark (painter, item);
-      break;
-    }
   }
+}
+
+void
+painter_add_items (Painter *painter, const uint32_t *items, uint32_t n)
+{
+  uint32_t layer;
+  PaintOrder order;
+
+  paint_order_init (&order, painter, items, n);
+  for (layer = 0; layer < N_PAINT_LAYERS; layer++)
+    add_layer (painter, &order, layer);
+  paint_order_clear (&order);
 }
 
 /* Background where the hull will be, so that the sheet behind it shines
@@ -314,7 +236,7 @@ add_mat (Painter *painter)
   const Scene *scene = painter->scene;
   uint32_t i;
 
-  for (i = 0; i < scene->n_items; i++) {
+  for (i = 0; i < scene->stock.n_items; i++) {
     if (scene->items[i].pass != PASS_HULL
         || scene->items[i].shape != SHAPE_POLYGON)
       continue;
@@ -323,58 +245,90 @@ add_mat (Painter *painter)
   }
 }
 
+/* Adds what is no item's own: the paraboloid, and the mat under the hull. */
+static void
+add_bodies (Painter *painter, const PaintOrder *order, uint32_t layer)
+{
+  const SceneDepth depth = paint_layer_depth (layer);
+
+  if (paint_layer_is_marks (layer))
+    return;
+  painter->drawing->in_hand = (StrokePlace){ INDEX_NONE, 0, layer };
+  if (depth == DEPTH_CONE_FAR && painter->theme->has_mat)
+    add_mat (painter);
+  if (depth == DEPTH_SHEET_FAR || depth == DEPTH_SHEET_NEAR)
+    painter_add_sheet (painter, order, depth == DEPTH_SHEET_NEAR);
+}
+
+static void
+add_stock (Painter *painter)
+{
+  PaintOrder order;
+  uint32_t layer;
+
+  paint_order_init (&order, painter, NULL, painter->scene->stock.n_items);
+  for (layer = 0; layer < N_PAINT_LAYERS; layer++) {
+    const SceneDepth depth = paint_layer_depth (layer);
+
+    add_bodies (painter, &order, layer);
+    if (depth != DEPTH_SHEET_FAR && depth != DEPTH_SHEET_NEAR)
+      add_layer (painter, &order, layer);
+  }
+  paint_order_clear (&order);
+}
+
 /* How large marks and lines may be, that one can still tell them apart where
- * @n_sites share the view. */
+ * so many sites share the view. */
 static double
-size_in_crowd (const Painter *painter, uint32_t n_sites)
+size_in_crowd (const Painter *painter)
 {
   const double area = painter->projection->width * painter->projection->height;
-  const double spacing = sqrt (area / MAX (n_sites, 1));
-
-  return CLAMP (spacing / ROOMY_PX, SIZE_LEAST, 1);
-}
-
-static void
-painter_init (Painter *painter)
-{
   const Scene *scene = painter->scene;
-  uint32_t i, n_corners = 0, n_sites = 0;
+  uint32_t i, n_sites = 0;
 
-  painter->depths = g_new (unsigned char, MAX (scene->n_items, 1));
-  for (i = 0; i < scene->n_items; i++) {
-    const SceneItem *item = &scene->items[i];
+  for (i = 0; i < scene->stock.n_items; i++)
+    n_sites += scene->items[i].shape == SHAPE_MARK
+               && scene->items[i].role >= ROLE_SITE
+               && scene->items[i].role <= ROLE_SITE_IGNORED;
+  return CLAMP (sqrt (area / MAX (n_sites, 1)) / ROOMY_PX, SIZE_LEAST, 1);
+}
 
-    painter->depths[i]
-        = (unsigned char)scene_depth (scene, item, painter->projection);
-    if (item->shape == SHAPE_POLYGON)
-      n_corners = MAX (n_corners, item->n);
-    if (item->shape == SHAPE_MARK && item->role >= ROLE_SITE)
-      n_sites++;
-  }
-  painter->size = size_in_crowd (painter, n_sites);
-  painter->corners = g_new (Pixel, CLIP_ROOM (n_corners));
-  painter->sorts = g_new0 (PainterSort, N_PAINTER_SORTS);
+void
+drawing_set_stock (Drawing *drawing,
+                   const Scene *scene,
+                   const Projection *projection,
+                   const Theme *theme)
+{
+  Painter painter = { .drawing = drawing,
+                      .scene = scene,
+                      .projection = projection,
+                      .theme = theme,
+                      .is_plain = true };
+
+  drawing_begin (drawing, projection, theme, NULL);
+  drawing->size = size_in_crowd (&painter);
+  painter.sorts = g_new0 (PainterSort, N_PAINTER_SORTS);
+  add_stock (&painter);
+  if (scene->stock.n_labels > 0)
+    painter_add_names (&painter);
+  g_free (painter.sorts);
+  free (painter.corners);
 }
 
 static void
-painter_clear (Painter *painter)
+set_lit (Drawing *drawing,
+         const Scene *scene,
+         const Projection *projection,
+         const Theme *theme)
 {
-  g_free (painter->depths);
-  g_free (painter->corners);
-  g_free (painter->sorts);
-}
+  Drawing *stock = drawing_new (drawing->names);
+  LitDrawing *light = lit_drawing_new (drawing->names);
 
-static void
-drawing_begin (Drawing *drawing,
-               const Projection *projection,
-               const Theme *theme)
-{
-  drawing->n_strokes = drawing->n_pixels = 0;
-  drawing->n_styles = drawing->n_placed = 0;
-  drawing->theme = theme;
-  drawing->width = projection->width;
-  drawing->height = projection->height;
-  drawing->edition = names_begin (drawing->names, theme);
+  drawing_set_stock (stock, scene, projection, theme);
+  lit_drawing_set (light, stock, scene, projection, NULL);
+  lit_drawing_merge (light, stock, scene, NULL, stock->n_strokes, drawing);
+  lit_drawing_free (light);
+  drawing_free (stock);
 }
 
 void
@@ -383,24 +337,10 @@ drawing_set (Drawing *drawing,
              const Projection *projection,
              const Theme *theme)
 {
-  Painter painter = {
-    .drawing = drawing, .scene = scene, .projection = projection, .theme = theme
-  };
-  int depth;
-
-  drawing_begin (drawing, projection, theme);
-  painter_init (&painter);
-  for (depth = 0; depth < N_SCENE_DEPTHS; depth++) {
-    if (depth == DEPTH_CONE_FAR && theme->has_mat)
-      add_mat (&painter);
-    if (depth == DEPTH_SHEET_FAR || depth == DEPTH_SHEET_NEAR)
-      painter_add_sheet (&painter, depth == DEPTH_SHEET_NEAR);
-    else
-      add_depth (&painter, (SceneDepth)depth);
-  }
-  if (scene->n_labels > 0)
-    painter_add_names (&painter);
-  painter_clear (&painter);
+  if (scene_has_light (scene))
+    set_lit (drawing, scene, projection, theme);
+  else
+    drawing_set_stock (drawing, scene, projection, theme);
 }
 
 static void

@@ -115,11 +115,21 @@ paint_background (Hand *hand)
       hand->pixels[(size_t)row * (size_t)hand->stride + (size_t)column] = pixel;
 }
 
+/* A picture to paint, band by band. */
+typedef struct Work {
+  const Drawing *drawing;
+  const uint32_t *strokes; /* n_strokes numbers; NULL: all from the first */
+  uint32_t n_strokes;
+  const PixelClip *clips;
+  int n_clips, next;
+} Work;
+
 /* Paints what lies within the clip. */
 static void
-paint_clip (Hand *hand, const Drawing *drawing)
+paint_clip (Hand *hand, const Work *work)
 {
   const PixelClip *clip = &hand->coverage.clip;
+  const Drawing *drawing = work->drawing;
   const double scale = hand->scale;
   const PixelBox box
       = { (float)(clip->left / scale), (float)(clip->top / scale),
@@ -127,20 +137,17 @@ paint_clip (Hand *hand, const Drawing *drawing)
   uint32_t i;
 
   paint_background (hand);
-  for (i = 0; i < drawing->n_strokes; i++)
-    if (boxes_meet (&drawing->strokes[i].box, &box))
-      hand_paint_stroke (hand, drawing, &drawing->strokes[i]);
+  for (i = 0; i < work->n_strokes; i++) {
+    const uint32_t number = work->strokes == NULL ? i : work->strokes[i];
+    const Stroke *stroke = &drawing->strokes[number];
+
+    if (boxes_meet (&stroke->box, &box))
+      hand_paint_stroke (hand, drawing, stroke);
+  }
   for (i = 0; i < drawing->n_placed; i++)
     if (boxes_meet (&drawing->placed[i].box, &box))
       paint_name (hand, drawing, &drawing->placed[i]);
 }
-
-/* A picture to paint, band by band. */
-typedef struct Work {
-  const Drawing *drawing;
-  const PixelClip *clips;
-  int n_clips, next;
-} Work;
 
 typedef struct Worker {
   Work *work;
@@ -157,7 +164,7 @@ work_on (gpointer data)
   worker->hand->theme = work->drawing->theme;
   while ((i = g_atomic_int_add (&work->next, 1)) < work->n_clips) {
     worker->hand->coverage.clip = work->clips[i];
-    paint_clip (worker->hand, work->drawing);
+    paint_clip (worker->hand, work);
   }
   return NULL;
 }
@@ -195,7 +202,7 @@ paint_all (Raster *raster, const Drawing *drawing)
   const int width = raster->hands[0].coverage.width;
   const int height = raster->hands[0].coverage.height;
   PixelClip bands[N_BANDS];
-  Work work = { drawing, bands, N_BANDS, 0 };
+  Work work = { drawing, NULL, drawing->n_strokes, bands, N_BANDS, 0 };
   int i;
 
   for (i = 0; i < N_BANDS; i++)
@@ -204,40 +211,63 @@ paint_all (Raster *raster, const Drawing *drawing)
   paint_clips (raster, &work, width * height > MANY_PIXELS);
 }
 
-static void
-paint_region (Raster *raster,
-              const Drawing *drawing,
-              const cairo_region_t *region)
+/* Returns: the numbers of the strokes that meet any square; free with
+ *          free(). */
+static uint32_t *
+strokes_in (const Drawing *drawing, const Squares *squares, uint32_t *n)
+{
+  uint32_t *strokes = memory_new (drawing->n_strokes, sizeof *strokes);
+  uint32_t i;
+
+  *n = 0;
+  for (i = 0; i < drawing->n_strokes; i++)
+    if (squares_meet (squares, &drawing->strokes[i].box))
+      strokes[(*n)++] = i;
+  return strokes;
+}
+
+static PixelClip
+clip_of (const Raster *raster, const cairo_region_t *region, int i)
 {
   const int width = raster->hands[0].coverage.width;
   const int height = raster->hands[0].coverage.height;
+  cairo_rectangle_int_t part;
+
+  cairo_region_get_rectangle (region, i, &part);
+  return (PixelClip){ MAX (part.x, 0), MAX (part.y, 0),
+                      MIN (part.x + part.width, width),
+                      MIN (part.y + part.height, height) };
+}
+
+static void
+paint_squares (Raster *raster, const Drawing *drawing, const Squares *squares)
+{
+  cairo_region_t *region = squares_region (squares);
   const int n = cairo_region_num_rectangles (region);
   g_autofree PixelClip *clips = g_new (PixelClip, MAX (n, 1));
-  Work work = { drawing, clips, n, 0 };
+  uint32_t n_strokes;
+  uint32_t *strokes = strokes_in (drawing, squares, &n_strokes);
+  Work work = { drawing, strokes, n_strokes, clips, n, 0 };
   int i, n_pixels = 0;
 
   for (i = 0; i < n; i++) {
-    cairo_rectangle_int_t part;
-
-    cairo_region_get_rectangle (region, i, &part);
-    clips[i] = (PixelClip){ MAX (part.x, 0), MAX (part.y, 0),
-                            MIN (part.x + part.width, width),
-                            MIN (part.y + part.height, height) };
-    n_pixels += part.width * part.height;
+    clips[i] = clip_of (raster, region, i);
+    n_pixels
+        += (clips[i].right - clips[i].left) * (clips[i].bottom - clips[i].top);
   }
   paint_clips (raster, &work, n_pixels > MANY_PIXELS);
+  cairo_region_destroy (region);
+  free (strokes);
 }
 
 void
-raster_paint (Raster *raster,
-              const Drawing *drawing,
-              const cairo_region_t *region)
+raster_paint (Raster *raster, const Drawing *drawing, const Squares *squares)
 {
   cairo_surface_flush (raster->surface);
   make_masks (raster, drawing);
-  if (region == NULL)
+  if (squares == NULL)
     paint_all (raster, drawing);
   else
-    paint_region (raster, drawing, region);
+    paint_squares (raster, drawing, squares);
   cairo_surface_mark_dirty (raster->surface);
 }

@@ -10,7 +10,7 @@
 #ifndef RASTER_H
 #define RASTER_H
 
-#include "drawing.h"
+#include "squares.h"
 
 typedef struct Raster Raster;
 
@@ -18,13 +18,12 @@ typedef struct Raster Raster;
 Raster *raster_new (double width, double height, double scale);
 void raster_free (Raster *raster);
 
-/* Paints the background and the drawing: all of it, or what lies in @region,
- * device pixels. A part painted alone has the same pixels as in the whole.
+/* Paints the background and the drawing: all of it, or what lies in @squares.
+ * A part painted alone has the same pixels as in the whole.
  *
  * Cost: O(strokes + pixels covered). */
-void raster_paint (Raster *raster,
-                   const Drawing *drawing,
-                   const cairo_region_t *region);
+void
+raster_paint (Raster *raster, const Drawing *drawing, const Squares *squares);
 
 /* Returns: the picture, borrowed; its device scale is the raster's. */
 cairo_surface_t *raster_get_surface (Raster *raster);

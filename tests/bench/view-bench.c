@@ -32,6 +32,7 @@ typedef struct Views {
   PlaneCamera plane_camera;
   Scene scenes[2];
   Easel *easels[2];
+  ScenePicker *picker;
 } Views;
 
 static const Order order = { ORDER_FURTHEST, 0 };
@@ -75,12 +76,14 @@ views_init (Views *views, guint n_sites, double part)
   plane_camera_init (&views->plane_camera);
   for (int i = 0; i < 2; i++)
     views->easels[i] = easel_new ();
+  views->picker = scene_picker_new ();
 }
 
 static void
 views_clear (Views *views)
 {
   forget (views);
+  scene_picker_free (views->picker);
   for (int i = 0; i < 2; i++) {
     scene_clear (&views->scenes[i]);
     easel_free (views->easels[i]);
@@ -203,10 +206,14 @@ static void
 hover (Views *views, guint i)
 {
   const Projection projection = project (views, FALSE);
-  const double at_px[2] = { 300 + 7.0 * i, 400 };
+  const double at_px[2] = { 300 + 7.0 * (i % 60), 400.0 + i / 60 };
 
-  views->look.hover = scene_pick (&views->scenes[0], &projection, at_px, 12);
-  show_both (views);
+  views->look.hover = scene_picker_pick (views->picker, &views->scenes[0],
+                                         &projection, at_px, 12);
+  for (int k = 0; k < 2; k++) {
+    g_assert (scene_relight (&views->scenes[k], &views->frame, &views->look));
+    show (views, k);
+  }
 }
 
 static void

@@ -1,0 +1,235 @@
+#include "lit-drawing.h"
+
+#include "memory.h"
+#include "painter-private.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+LitDrawing *
+lit_drawing_new (Names *names)
+{
+  LitDrawing *light = memory_new (1, sizeof *light);
+
+  light->lit = drawing_new (names);
+  light->plain = drawing_new (names);
+  return light;
+}
+
+void
+lit_drawing_free (LitDrawing *light)
+{
+  if (light == NULL)
+    return;
+  drawing_free (light->lit);
+  drawing_free (light->plain);
+  free (light);
+}
+
+bool
+scene_has_light (const Scene *scene)
+{
+  return scene->n_lit > 0 || scene->n_items > scene->stock.n_items;
+}
+
+/* What is lit of the stock, then what is pointed at: ascending. */
+static uint32_t *
+list_items (const Scene *scene, uint32_t *n_items)
+{
+  const uint32_t n_pointed = scene->n_items - scene->stock.n_items;
+  uint32_t *items = memory_new (scene->n_lit + n_pointed, sizeof *items);
+  uint32_t i;
+
+  if (scene->n_lit > 0)
+    memcpy (items, scene->lit, scene->n_lit * sizeof *items);
+  for (i = 0; i < n_pointed; i++)
+    items[scene->n_lit + i] = scene->stock.n_items + i;
+  *n_items = scene->n_lit + n_pointed;
+  return items;
+}
+
+/* The ink alone: casings may touch. */
+static PixelBox
+letters_of (const PlacedName *placed)
+{
+  PixelBox box = placed->box;
+
+  box.left += (float)NAME_CASING - 1;
+  box.top += (float)NAME_CASING - 1;
+  box.right -= (float)NAME_CASING - 1;
+  box.bottom -= (float)NAME_CASING - 1;
+  return box;
+}
+
+static bool
+is_covered (const PlacedName *placed, const Drawing *lit)
+{
+  const PixelBox box = letters_of (placed);
+  uint32_t i;
+
+  for (i = 0; i < lit->n_placed; i++) {
+    const PixelBox over = letters_of (&lit->placed[i]);
+
+    if (boxes_meet (&box, &over))
+      return true;
+  }
+  return false;
+}
+
+static bool
+is_hidden (const LitDrawing *light,
+           const Scene *scene,
+           const PlacedName *placed)
+{
+  return scene->items[placed->item].lit != LIT_NONE
+         || is_covered (placed, light->lit);
+}
+
+static void
+hide_names (LitDrawing *light, const Drawing *stock, const Scene *scene)
+{
+  uint32_t i;
+
+  for (i = 0; i < stock->n_placed; i++)
+    if (is_hidden (light, scene, &stock->placed[i]))
+      drawing_add_name (light->plain, &stock->placed[i]);
+}
+
+void
+lit_drawing_set (LitDrawing *light,
+                 const Drawing *stock,
+                 const Scene *scene,
+                 const Projection *projection,
+                 BoxIndex *strokes)
+{
+  Painter painter = { .drawing = light->plain,
+                      .scene = scene,
+                      .projection = projection,
+                      .theme = stock->theme,
+                      .is_plain = true };
+  uint32_t n_items;
+  uint32_t *items = list_items (scene, &n_items);
+
+  drawing_begin (light->plain, projection, stock->theme, stock);
+  painter_add_items (&painter, scene->lit, scene->n_lit);
+  painter.drawing = light->lit;
+  painter.is_plain = false;
+  drawing_begin (light->lit, projection, stock->theme, stock);
+  painter_add_items (&painter, items, n_items);
+  painter_add_lit_names (&painter, items, n_items, stock, strokes);
+  hide_names (light, stock, scene);
+  free (items);
+  free (painter.corners);
+}
+
+void
+lit_drawing_compare (const LitDrawing *before,
+                     const LitDrawing *after,
+                     Squares *squares)
+{
+  drawing_compare (before->plain, after->plain, squares);
+  drawing_compare (before->lit, after->lit, squares);
+}
+
+/* Merging */
+
+static bool
+is_before (const Stroke *a, const Stroke *b)
+{
+  if (a->place.layer != b->place.layer)
+    return a->place.layer < b->place.layer;
+  return a->place.anchor < b->place.anchor;
+}
+
+static void
+add_styles (Drawing *to, const Drawing *from)
+{
+  uint32_t i;
+
+  for (i = 0; i < from->n_styles; i++)
+    drawing_add_style (to, &from->styles[i]);
+}
+
+/* Adds a stroke of a drawing whose styles begin at @styles here. */
+static void
+copy_stroke (Drawing *to,
+             const Drawing *from,
+             const Stroke *stroke,
+             uint32_t styles)
+{
+  Stroke *copy = stroke_begin (to, stroke->kind, styles + stroke->style);
+  const uint32_t first = copy->first;
+  uint32_t i;
+
+  *copy = *stroke;
+  copy->style += styles;
+  copy->first = first;
+  copy->n = 0;
+  for (i = 0; i < stroke->n; i++)
+    stroke_add (to, from->pixels[stroke->first + i]);
+}
+
+static bool
+is_lit (const Scene *scene, const Stroke *stroke)
+{
+  return stroke->place.item != INDEX_NONE
+         && scene->items[stroke->place.item].lit != LIT_NONE;
+}
+
+/* Where both lie at the same place, there is what has become of a casing of
+ * the stock, and then a line that is lit. */
+static void
+merge_stroke (const LitDrawing *light,
+              const Drawing *stock,
+              const Stroke *stroke,
+              uint32_t *n_merged,
+              Drawing *to)
+{
+  const Drawing *lit = light->lit;
+
+  while (*n_merged < lit->n_strokes
+         && is_before (&lit->strokes[*n_merged], stroke))
+    copy_stroke (to, lit, &lit->strokes[(*n_merged)++], stock->n_styles);
+  copy_stroke (to, stock, stroke, 0);
+}
+
+static void
+merge_names (const LitDrawing *light,
+             const Drawing *stock,
+             const Scene *scene,
+             Drawing *to)
+{
+  uint32_t i;
+
+  for (i = 0; i < stock->n_placed; i++)
+    if (!is_hidden (light, scene, &stock->placed[i]))
+      drawing_add_name (to, &stock->placed[i]);
+  for (i = 0; i < light->lit->n_placed; i++)
+    drawing_add_name (to, &light->lit->placed[i]);
+}
+
+void
+lit_drawing_merge (const LitDrawing *light,
+                   const Drawing *stock,
+                   const Scene *scene,
+                   const uint32_t *strokes,
+                   uint32_t n,
+                   Drawing *to)
+{
+  const Projection size = { .width = stock->width, .height = stock->height };
+  const Drawing *lit = light->lit;
+  uint32_t i, n_merged = 0;
+
+  drawing_begin (to, &size, stock->theme, stock);
+  add_styles (to, stock);
+  add_styles (to, lit);
+  for (i = 0; i < n; i++) {
+    const Stroke *stroke = &stock->strokes[strokes == NULL ? i : strokes[i]];
+
+    if (!is_lit (scene, stroke))
+      merge_stroke (light, stock, stroke, &n_merged, to);
+  }
+  while (n_merged < lit->n_strokes)
+    copy_stroke (to, lit, &lit->strokes[n_merged++], stock->n_styles);
+  merge_names (light, stock, scene, to);
+}

@@ -1,0 +1,54 @@
+/* The order of paint: by depth, in each first surfaces and lines, then marks,
+ * and among these as the scene lists them. */
+#include "painter-private.h"
+
+#include <glib.h>
+
+static uint32_t
+layer_of (const Painter *painter, const SceneItem *item)
+{
+  return 2 * (uint32_t)scene_depth (painter->scene, item, painter->projection)
+         + (item->shape == SHAPE_MARK);
+}
+
+static void
+sum_up (PaintOrder *order)
+{
+  uint32_t layer, n, sum = 0;
+
+  for (layer = 0; layer <= N_PAINT_LAYERS; layer++) {
+    n = order->starts[layer];
+    order->starts[layer] = sum;
+    sum += n;
+  }
+}
+
+void
+paint_order_init (PaintOrder *order,
+                  const Painter *painter,
+                  const uint32_t *items,
+                  uint32_t n)
+{
+  g_autofree unsigned char *layers = g_new (unsigned char, MAX (n, 1));
+  uint32_t next[N_PAINT_LAYERS];
+  uint32_t i;
+
+  *order = (PaintOrder){ .items = g_new (uint32_t, MAX (n, 1)) };
+  for (i = 0; i < n; i++) {
+    const uint32_t item = items == NULL ? i : items[i];
+
+    layers[i] = (unsigned char)layer_of (painter, &painter->scene->items[item]);
+    order->starts[layers[i]] += 1;
+  }
+  sum_up (order);
+  for (i = 0; i < N_PAINT_LAYERS; i++)
+    next[i] = order->starts[i];
+  for (i = 0; i < n; i++)
+    order->items[next[layers[i]]++] = items == NULL ? i : items[i];
+}
+
+void
+paint_order_clear (PaintOrder *order)
+{
+  g_free (order->items);
+}

@@ -1,0 +1,127 @@
+/* What an item looks like where it is: its style by the theme, changed by the
+ * crowd round it and by what it lies behind. */
+#include "painter-private.h"
+
+#include <math.h>
+
+/* In space what lies in the plane is drawn thinner than in the plane view, and
+ * lines behind the hull thinner and paler than those before it. */
+#define GROUND_WIDTH 0.62
+#define UNDER_ALPHA 0.12
+#define FAR_WIDTH 0.75
+#define FAR_ALPHA 0.5
+#define FAR_FILL 0.45
+
+#define DASH_LEAST 2.8 /* of the lifts */
+
+static void
+scale_style (Style *style, double size)
+{
+  style->width *= size;
+  style->casing *= size;
+  style->dash *= size;
+  style->gap *= size;
+}
+
+static void
+adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
+{
+  const SceneDepth depth = painter->depth;
+
+  if (!painter->scene->is_space)
+    return;
+  if (depth == DEPTH_GROUND || depth == DEPTH_UNDER) {
+    scale_style (style, GROUND_WIDTH);
+    if (item->object.kind == OBJECT_VERTEX)
+      style->radius *= GROUND_WIDTH;
+    /* Seen from below the plane is glass: the hull is what one looks at. */
+    if (depth == DEPTH_UNDER && item->shape == SHAPE_POLYGON) {
+      style->fill.alpha *= UNDER_ALPHA;
+      style->hatch = HATCH_NONE;
+    }
+  }
+  if (depth != DEPTH_HULL_FAR && depth != DEPTH_CONE_FAR)
+    return;
+  if (item->shape == SHAPE_PATH) {
+    style->width *= FAR_WIDTH;
+    style->line.alpha *= FAR_ALPHA;
+    style->casing = 0;
+  } else if (item->emphasis != EMPHASIS_LOUD) {
+    style->fill.alpha *= painter->theme->has_mat ? 0 : FAR_FILL;
+    style->line.alpha *= FAR_FILL;
+  }
+}
+
+/* The active set stays larger than the crowd. */
+static void
+adapt_to_crowd (const Painter *painter, const SceneItem *item, Style *style)
+{
+  const bool is_loud = item->emphasis == EMPHASIS_LOUD || item->lit != LIT_NONE;
+  const double size
+      = is_loud ? sqrt (painter->drawing->size) : painter->drawing->size;
+
+  scale_style (style, size);
+  style->radius *= size;
+  if (item->role != ROLE_LIFT || is_loud)
+    return;
+  style->line.alpha *= size * size;
+  /* So many dashes, so short, are a paler line. */
+  if (style->dash < DASH_LEAST && style->dash > 0) {
+    style->line.alpha *= style->dash / (style->dash + style->gap);
+    style->dash = style->gap = 0;
+  }
+}
+
+static Style
+style_as_lit (const Painter *painter, const SceneItem *item)
+{
+  Style style = theme_style (painter->theme, item);
+
+  if (painter->drawing->size < 1)
+    adapt_to_crowd (painter, item, &style);
+  adapt_to_depth (painter, item, &style);
+  return style;
+}
+
+Style
+painter_style (const Painter *painter, const SceneItem *item)
+{
+  SceneItem plain;
+
+  if (!painter->is_plain || item->lit == LIT_NONE)
+    return style_as_lit (painter, item);
+  plain = *item;
+  plain.lit = LIT_NONE;
+  return style_as_lit (painter, &plain);
+}
+
+/* Items of one sort share a style, but for the hue of a cell. */
+static uint32_t
+sort_of (const Painter *painter, const SceneItem *item)
+{
+  const Lit lit = painter->is_plain ? LIT_NONE : item->lit;
+  uint32_t sort = (uint32_t)item->role;
+
+  sort = (3 * sort + (uint32_t)item->emphasis) * 3 + (uint32_t)lit;
+  sort = 3 * sort + (uint32_t)item->shape;
+  sort = N_SCENE_DEPTHS * sort + (uint32_t)painter->depth;
+  return 2 * sort + (item->object.kind == OBJECT_VERTEX);
+}
+
+uint32_t
+painter_number_style (Painter *painter, const SceneItem *item)
+{
+  PainterSort new_one = { 0, 0 };
+  PainterSort *known = painter->sorts == NULL
+                           ? &new_one
+                           : &painter->sorts[sort_of (painter, item)];
+
+  if (known->style == 0 || known->fade < item->fade
+      || known->fade > item->fade) {
+    const Style style = painter_style (painter, item);
+
+    known->style = 1 + drawing_add_style (painter->drawing, &style);
+    known->fade = item->fade;
+  }
+  return known->style - 1;
+}
