@@ -5,6 +5,7 @@
 #include "canvas-input.h"
 #include "canvas-keys.h"
 #include "canvas-picture.h"
+#include "canvas-scene.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -18,11 +19,9 @@
 typedef struct CanvasPrivate {
   Session *session;
   guint pane;
-  Scene scene;
+  CanvasScene *scene;
   Theme theme;
-  gboolean has_scene;
-  gboolean roles[N_ROLES]; /* whether the scene has something of that role */
-  CanvasPicture *picture;  /* NULL: no session yet */
+  CanvasPicture *picture; /* NULL: no session yet */
   gboolean is_moving;
   gboolean is_settling; /* the next picture is to be a good one */
   guint settle_source;
@@ -81,20 +80,19 @@ canvas_get_theme (Canvas *canvas)
   return &p->theme;
 }
 
-/* The scene of the session as it is, built when first asked for. */
+/* The scene of the session as it is, made when first asked for. */
 static const Scene *
 canvas_get_scene (Canvas *canvas)
 {
   CanvasPrivate *p = priv (canvas);
+  SceneLook look;
 
-  if (p->has_scene)
-    return &p->scene;
-  HULL2VD_CANVAS_GET_CLASS (canvas)->build_scene (canvas, &p->scene);
-  p->has_scene = TRUE;
-  memset (p->roles, 0, sizeof p->roles);
-  for (guint i = 0; i < p->scene.n_items; i++)
-    p->roles[p->scene.items[i].role] = TRUE;
-  return &p->scene;
+  if (!canvas_scene_is_valid (p->scene)) {
+    look = *session_get_look (p->session);
+    HULL2VD_CANVAS_GET_CLASS (canvas)->adapt_look (canvas, &look);
+    canvas_scene_update (p->scene, p->session, p->pane, &look);
+  }
+  return canvas_scene_get (p->scene);
 }
 
 static void
@@ -110,7 +108,7 @@ invalidate_picture (Canvas *canvas)
 void
 canvas_invalidate (Canvas *canvas)
 {
-  priv (canvas)->has_scene = FALSE;
+  canvas_scene_invalidate (priv (canvas)->scene, FALSE);
   invalidate_picture (canvas);
 }
 
@@ -131,14 +129,14 @@ canvas_pick (Canvas *canvas, const double at_px[2])
 
   if (session_is_answering (priv (canvas)->session))
     return answer_objects_pick (canvas, scene, at_px, REACH_PX);
-  return scene_pick (scene, &projection, at_px, REACH_PX);
+  return canvas_scene_pick (priv (canvas)->scene, &projection, at_px, REACH_PX);
 }
 
 gboolean
 canvas_has_role (Canvas *canvas, Role role)
 {
   canvas_get_scene (canvas);
-  return priv (canvas)->roles[role];
+  return canvas_scene_has_role (priv (canvas)->scene, role);
 }
 
 /* The cursor */
@@ -339,11 +337,10 @@ on_changed (Session *session, guint changes, Canvas *canvas)
   if ((changes & matters) == 0)
     return;
   /* What there is in space is the same from everywhere. */
-  if ((changes & matters) == CHANGED_CAMERA
-      && HULL2VD_CANVAS_GET_CLASS (canvas)->is_space)
-    invalidate_picture (canvas);
-  else
-    canvas_invalidate (canvas);
+  if ((changes & matters) != CHANGED_CAMERA
+      || !HULL2VD_CANVAS_GET_CLASS (canvas)->is_space)
+    canvas_scene_invalidate (priv (canvas)->scene, changes == CHANGED_LOOK);
+  invalidate_picture (canvas);
   if (changes & CHANGED_SITES)
     check_cursor (canvas);
   canvas_accessible_update (GTK_WIDGET (canvas), changes);
@@ -395,7 +392,7 @@ static void
 canvas_finalize (GObject *object)
 {
   g_free (priv (HULL2VD_CANVAS (object))->trouble);
-  scene_clear (&priv (HULL2VD_CANVAS (object))->scene);
+  canvas_scene_free (priv (HULL2VD_CANVAS (object))->scene);
   G_OBJECT_CLASS (canvas_parent_class)->finalize (object);
 }
 
@@ -422,6 +419,7 @@ canvas_init (Canvas *canvas)
 {
   CanvasPrivate *p = priv (canvas);
 
+  p->scene = canvas_scene_new ();
   gtk_widget_set_can_focus (GTK_WIDGET (canvas), TRUE);
   canvas_input_attach (canvas, p->gestures, p->controllers);
   g_signal_connect (canvas, "notify::scale-factor",

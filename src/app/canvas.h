@@ -29,8 +29,9 @@ struct _CanvasClass {
   const char *title; /* marked for translation: its accessible name */
   gboolean is_space;
 
-  /* What the view shows, and where. */
-  void (*build_scene) (Canvas *canvas, Scene *scene);
+  /* What the view shows, and where. The look is the session's, to be made the
+   * view's own. */
+  void (*adapt_look) (Canvas *canvas, SceneLook *look);
   Projection (*project) (Canvas *canvas, double width, double height);
 
   /* What a person does. Lengths in px of the widget. */

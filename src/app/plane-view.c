@@ -44,15 +44,12 @@ plane_view_project (Canvas *canvas, double width, double height)
 #define INSET_PX 6.0
 
 static void
-plane_view_build_scene (Canvas *canvas, Scene *scene)
+plane_view_adapt_look (Canvas *canvas, SceneLook *look)
 {
-  Session *session = canvas_get_session (canvas);
   const Projection projection = canvas_get_projection (canvas);
-  SceneLook look = *session_get_look (session);
 
-  step_motion_apply (HULL2VD_PLANE_VIEW (canvas)->motion, &look);
-  scene_look_fit (&look, &projection, INSET_PX);
-  session_fill_scene (session, canvas_get_pane (canvas), scene, &look);
+  step_motion_apply (HULL2VD_PLANE_VIEW (canvas)->motion, look);
+  scene_look_fit (look, &projection, INSET_PX);
 }
 
 static void
@@ -414,7 +411,7 @@ plane_view_class_init (PlaneViewClass *class)
   G_OBJECT_CLASS (class)->finalize = plane_view_finalize;
   canvas_class->title = N_ ("Plane");
   canvas_class->is_space = FALSE;
-  canvas_class->build_scene = plane_view_build_scene;
+  canvas_class->adapt_look = plane_view_adapt_look;
   canvas_class->project = plane_view_project;
   canvas_class->zoom = plane_view_zoom;
   canvas_class->pan = plane_view_pan;

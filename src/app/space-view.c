@@ -31,13 +31,9 @@ space_view_project (Canvas *canvas, double width, double height)
 }
 
 static void
-space_view_build_scene (Canvas *canvas, Scene *scene)
+space_view_adapt_look (Canvas *canvas, SceneLook *look)
 {
-  Session *session = canvas_get_session (canvas);
-  SceneLook look = *session_get_look (session);
-
-  step_motion_apply (HULL2VD_SPACE_VIEW (canvas)->motion, &look);
-  session_fill_scene (session, canvas_get_pane (canvas), scene, &look);
+  step_motion_apply (HULL2VD_SPACE_VIEW (canvas)->motion, look);
 }
 
 static void
@@ -219,7 +215,7 @@ space_view_class_init (SpaceViewClass *class)
   G_OBJECT_CLASS (class)->finalize = space_view_finalize;
   canvas_class->title = N_ ("Space");
   canvas_class->is_space = TRUE;
-  canvas_class->build_scene = space_view_build_scene;
+  canvas_class->adapt_look = space_view_adapt_look;
   canvas_class->project = space_view_project;
   canvas_class->zoom = space_view_zoom;
   canvas_class->pan = space_view_pan;

@@ -239,18 +239,41 @@ look_at_sites (const SceneLook *look)
   return result;
 }
 
+/* What a pane shows of the runs of the hull, and how. */
+static const Frame *
+frame_of_pane (Session *session, guint pane, SceneLook *look)
+{
+  if (session_pane_has_facets (session, pane))
+    return session_get_frame (session);
+  *look = look_at_sites (look);
+  return session_get_other_frame (session);
+}
+
 static void
 fill_run (Session *session, guint pane, Scene *scene, const SceneLook *look)
 {
-  const gboolean is_main = session_pane_has_facets (session, pane);
-  const SceneLook its_look = is_main ? *look : look_at_sites (look);
-  const Frame *frame = is_main ? session_get_frame (session)
-                               : session_get_other_frame (session);
+  SceneLook its_look = *look;
+  const Frame *frame = frame_of_pane (session, pane, &its_look);
 
   if (session_get_pane (session, pane) == PANE_SPACE)
     scene_space (scene, frame, &its_look);
   else
     scene_plane (scene, frame, &its_look);
+}
+
+gboolean
+session_relight_scene (Session *session,
+                       guint pane,
+                       Scene *scene,
+                       const SceneLook *look)
+{
+  SceneLook its_look = *look;
+
+  if (!shows_lifts (session)
+      || (session_get_pane (session, pane) == PANE_SPACE) != scene->is_space)
+    return FALSE;
+  return scene_relight (scene, frame_of_pane (session, pane, &its_look),
+                        &its_look);
 }
 
 void

@@ -254,6 +254,15 @@ void session_fill_scene (Session *session,
                          Scene *scene,
                          const SceneLook *look);
 
+/* Brings a scene that the session has filled to another look: scene_relight().
+ * Nothing but the look has changed since then.
+ *
+ * Returns: FALSE, and nothing has changed, when it has to be filled anew. */
+gboolean session_relight_scene (Session *session,
+                                guint pane,
+                                Scene *scene,
+                                const SceneLook *look);
+
 /* Returns: what a site is at the step of what a picture shows. */
 SiteState session_get_site_state (Session *session, guint pane, guint site);
 

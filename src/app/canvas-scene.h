@@ -1,0 +1,40 @@
+/* The scene of a canvas: made when it is first asked for, and kept. Where only
+ * what a person points at has changed, no more than that is made anew. */
+#ifndef CANVAS_SCENE_H
+#define CANVAS_SCENE_H
+
+#include "session.h"
+
+G_BEGIN_DECLS
+
+typedef struct CanvasScene CanvasScene;
+
+CanvasScene *canvas_scene_new (void);
+void canvas_scene_free (CanvasScene *kept);
+
+/* The session has changed: its look and nothing else, when @is_only_look. */
+void canvas_scene_invalidate (CanvasScene *kept, gboolean is_only_look);
+
+/* Returns: whether it shows the session as it is. */
+gboolean canvas_scene_is_valid (const CanvasScene *kept);
+
+/* Makes it valid: what @pane of the session shows for @look. */
+void canvas_scene_update (CanvasScene *kept,
+                          Session *session,
+                          guint pane,
+                          const SceneLook *look);
+
+/* Returns: the scene, borrowed. */
+const Scene *canvas_scene_get (const CanvasScene *kept);
+
+/* Whether something of @role is in it. */
+gboolean canvas_scene_has_role (const CanvasScene *kept, Role role);
+
+Object canvas_scene_pick (CanvasScene *kept,
+                          const Projection *projection,
+                          const double at_px[2],
+                          double reach_px);
+
+G_END_DECLS
+
+#endif
