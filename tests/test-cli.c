@@ -228,22 +228,35 @@ test_replay_names_lesson_stop_and_text (void)
 }
 
 static void
+check_locale (const char *locale, const char *line)
+{
+  g_auto (ScriptResult) in_c = { 0 }, elsewhere = { 0 };
+
+  script_run_in ("C", NULL, &in_c, line);
+  script_run_in (locale, NULL, &elsewhere, line);
+  g_assert_cmpint (in_c.status, ==, 0);
+  g_assert_cmpuint (strlen (in_c.out), >, 10);
+  /* Not g_assert_cmpstr(), which would print pictures. */
+  g_assert_true (g_str_equal (in_c.out, elsewhere.out));
+}
+
+/* A picture is described in the language of whoever asks for it, and there is
+ * no Arabic. */
+static void
 test_results_do_not_depend_on_the_locale (void)
 {
-  static const char *const lines[]
-      = { "compute five.txt", "trace five.txt", "replay good.md",
-          "export --view both -o p.svg five.txt && cat p.svg",
+  static const char *const results[]
+      = { "compute five.txt", "trace five.txt", "replay good.md" };
+  static const char *const pictures[]
+      = { "export --view both -o p.svg five.txt && cat p.svg",
           "export --stop 1 -o q.svg good.md && cat q.svg" };
 
-  for (guint i = 0; i < G_N_ELEMENTS (lines); i++) {
-    g_auto (ScriptResult) in_c = { 0 }, in_german = { 0 };
-
-    script_run_in ("C", NULL, &in_c, lines[i]);
-    script_run_in ("de_DE.UTF-8", NULL, &in_german, lines[i]);
-    g_assert_cmpint (in_c.status, ==, 0);
-    g_assert_cmpuint (strlen (in_c.out), >, 10);
-    g_assert_cmpstr (in_c.out, ==, in_german.out);
+  for (guint i = 0; i < G_N_ELEMENTS (results); i++) {
+    check_locale ("de_DE.UTF-8", results[i]);
+    check_locale ("ar_EG.UTF-8", results[i]);
   }
+  for (guint i = 0; i < G_N_ELEMENTS (pictures); i++)
+    check_locale ("ar_EG.UTF-8", pictures[i]);
 }
 
 static void
