@@ -2,7 +2,8 @@
 # Runs a command on a screen, a session bus and a home of its own, and takes
 # all of them away again: headless.sh COMMAND…
 # HULL2VD_SCREEN is the size of the screen, HULL2VD_SCALE its pixels to a px,
-# HULL2VD_TIMEOUT its seconds, HULL2VD_LANG the locale.
+# HULL2VD_TIMEOUT its seconds, HULL2VD_LANG the locale,
+# HULL2VD_LANGUAGE its languages.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -19,7 +20,7 @@ export XDG_CONFIG_HOME=$folder/config XDG_CACHE_HOME=$folder/cache
 export XDG_DATA_HOME=$folder/data
 mkdir -m 700 "$folder/run"
 unset WAYLAND_DISPLAY DBUS_SESSION_BUS_ADDRESS AT_SPI_BUS_ADDRESS GTK_THEME
-export LC_ALL=${HULL2VD_LANG:-C.UTF-8} LANGUAGE= GSETTINGS_BACKEND=memory
+export LC_ALL=${HULL2VD_LANG:-C.UTF-8} LANGUAGE=${HULL2VD_LANGUAGE:-} GSETTINGS_BACKEND=memory
 export GDK_BACKEND=x11 GDK_SCALE=${HULL2VD_SCALE:-1} LIBGL_ALWAYS_SOFTWARE=1
 export HULL2VD_ANIMATIONS=${HULL2VD_ANIMATIONS:-0} # pictures stand still
 export GTK_USE_PORTAL=0 NO_AT_BRIDGE=0 GIO_USE_VFS=local

@@ -37,7 +37,8 @@ space_note_attach (GtkOverlay *overlay, Session *session)
   gtk_widget_set_halign (label, GTK_ALIGN_CENTER);
   gtk_widget_set_valign (label, GTK_ALIGN_END);
   gtk_widget_set_margin_bottom (label, 8);
-  gtk_label_set_ellipsize (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
+  gtk_label_set_line_wrap (GTK_LABEL (label), TRUE);
+  gtk_label_set_justify (GTK_LABEL (label), GTK_JUSTIFY_CENTER);
   gtk_style_context_add_class (gtk_widget_get_style_context (label), "note");
   gtk_overlay_add_overlay (overlay, label);
   gtk_overlay_set_overlay_pass_through (overlay, label, TRUE);

@@ -1,0 +1,316 @@
+/* The window in one language: nothing that must be read is cut off, whatever
+ * its words are. Needs a display: run by tests/headless.sh.
+ * The language is that of LC_ALL and LANGUAGE. */
+#include "document.h"
+#include "hull2vd-application.h"
+#include "hull2vd-window.h"
+#include "locate.h"
+
+#include <locale.h>
+#include <string.h>
+
+#define MAX_FAULTS 20
+
+typedef struct Stage {
+  Hull2vdApplication *application;
+  Hull2vdWindow *window;
+  Session *session;
+} Stage;
+
+/* What is wrong with one layout. */
+typedef struct Inspection {
+  GtkWidget *top;
+  const char *where; /* "1024 × 768, 07-….md, stop 3" */
+  GPtrArray *faults; /* of char* */
+} Inspection;
+
+/* Lays out what has changed, and what follows from that; painting would take
+ * its time. */
+static void
+settle (GtkWidget *top)
+{
+  for (int i = 0; i < 3; i++) {
+    gtk_container_check_resize (GTK_CONTAINER (top));
+    for (int n = 0; n < 100 && gtk_events_pending (); n++)
+      gtk_main_iteration ();
+  }
+}
+
+static void
+wait_ms (GtkWidget *top, int ms)
+{
+  const gint64 end = g_get_monotonic_time () + ms * G_TIME_SPAN_MILLISECOND;
+
+  while (g_get_monotonic_time () < end) {
+    settle (top);
+    g_usleep (2000);
+  }
+}
+
+static void
+blame (Inspection *inspection, GtkWidget *widget, const char *fault)
+{
+  const char *text = GTK_IS_LABEL (widget)
+                         ? gtk_label_get_text (GTK_LABEL (widget))
+                         : gtk_widget_get_name (widget);
+  char *line = g_strdup_printf ("%s: %s: “%s”", inspection->where, fault, text);
+
+  if (g_ptr_array_find_with_equal_func (inspection->faults, line, g_str_equal,
+                                        NULL))
+    g_free (line);
+  else
+    g_ptr_array_add (inspection->faults, line);
+}
+
+/* The title is in the list of windows too; GTK cuts it rather than buttons. */
+static gboolean
+may_be_cut (GtkWidget *label)
+{
+  GtkWidget *bar = gtk_widget_get_ancestor (label, GTK_TYPE_HEADER_BAR);
+
+  return bar != NULL
+         && gtk_widget_get_ancestor (label, GTK_TYPE_BUTTON) == NULL;
+}
+
+static void
+inspect_label (Inspection *inspection, GtkWidget *label)
+{
+  PangoLayout *layout = gtk_label_get_layout (GTK_LABEL (label));
+  int width, height;
+
+  if (may_be_cut (label))
+    return;
+  pango_layout_get_pixel_size (layout, &width, &height);
+  if (pango_layout_is_ellipsized (layout))
+    blame (inspection, label, "its end is cut off");
+  else if (width > gtk_widget_get_allocated_width (label))
+    blame (inspection, label, "it is wider than its place");
+  else if (height > gtk_widget_get_allocated_height (label))
+    blame (inspection, label, "it is higher than its place");
+}
+
+/* What is in a scrolled window may be below or above its frame. */
+static void
+inspect_place (Inspection *inspection, GtkWidget *widget)
+{
+  const int top_width = gtk_widget_get_allocated_width (inspection->top);
+  const int top_height = gtk_widget_get_allocated_height (inspection->top);
+  const int width = gtk_widget_get_allocated_width (widget);
+  const int height = gtk_widget_get_allocated_height (widget);
+  int x, y;
+
+  if (!gtk_widget_translate_coordinates (widget, inspection->top, 0, 0, &x, &y))
+    return;
+  if (x < 0 || x + width > top_width)
+    blame (inspection, widget, "it is not within the width of the window");
+  if (gtk_widget_get_ancestor (widget, GTK_TYPE_SCROLLED_WINDOW) == NULL
+      && (y < 0 || y + height > top_height))
+    blame (inspection, widget, "it is not within the height of the window");
+}
+
+static void
+inspect (GtkWidget *widget, gpointer user)
+{
+  Inspection *inspection = user;
+
+  if (!gtk_widget_get_mapped (widget))
+    return;
+  if (GTK_IS_LABEL (widget))
+    inspect_label (inspection, widget);
+  if (GTK_IS_LABEL (widget) || GTK_IS_BUTTON (widget) || GTK_IS_ENTRY (widget))
+    inspect_place (inspection, widget);
+  if (GTK_IS_CONTAINER (widget))
+    gtk_container_forall (GTK_CONTAINER (widget), inspect, inspection);
+}
+
+static void
+inspect_top (GtkWidget *top, const char *where, GPtrArray *faults)
+{
+  Inspection inspection = { top, where, faults };
+
+  gtk_container_forall (GTK_CONTAINER (top), inspect, &inspection);
+}
+
+/* Fails with all faults, each once. */
+static void
+report (GPtrArray *faults)
+{
+  for (guint i = 0; i < faults->len && i < MAX_FAULTS; i++)
+    g_test_message ("%s", (const char *)g_ptr_array_index (faults, i));
+  if (faults->len > 0)
+    g_test_fail ();
+  g_ptr_array_unref (faults);
+}
+
+/* The window is made once: it takes a while. */
+static Stage stage;
+
+static void
+stage_init (void)
+{
+  stage.application = hull2vd_application_new ();
+  g_assert_true (
+      g_application_register (G_APPLICATION (stage.application), NULL, NULL));
+  g_application_activate (G_APPLICATION (stage.application));
+  stage.window = HULL2VD_WINDOW (
+      gtk_application_get_active_window (GTK_APPLICATION (stage.application)));
+  settle (GTK_WIDGET (stage.window));
+  stage.session = hull2vd_window_get_session (stage.window);
+}
+
+static void
+resize (int width, int height)
+{
+  int real_width, real_height;
+
+  gtk_window_resize (GTK_WINDOW (stage.window), width, height);
+  for (int i = 0; i < 50; i++) {
+    wait_ms (GTK_WIDGET (stage.window), 100);
+    gtk_window_get_size (GTK_WINDOW (stage.window), &real_width, &real_height);
+    if (real_width == width && real_height == height)
+      break;
+  }
+  wait_ms (GTK_WIDGET (stage.window), 500);
+}
+
+static void
+test_the_window_is_no_larger_than_a_small_screen (void)
+{
+  int width, height;
+
+  resize (1024, 768);
+  gtk_widget_get_preferred_width (GTK_WIDGET (stage.window), &width, NULL);
+  gtk_widget_get_preferred_height (GTK_WIDGET (stage.window), &height, NULL);
+  g_assert_cmpint (width, <=, 1024);
+  g_assert_cmpint (height, <=, 768);
+}
+
+/* Every fourth stop: they differ in their texts alone. */
+static void
+inspect_lesson (const char *path, int width, GPtrArray *faults)
+{
+  g_autofree char *name = g_path_get_basename (path);
+
+  g_assert_true (document_open (stage.session, path, NULL));
+  for (guint stop = 0; stop < session_get_n_stops (stage.session); stop += 4) {
+    g_autofree char *where
+        = g_strdup_printf ("%d px, %s, stop %u", width, name, stop + 1);
+
+    session_set_stop (stage.session, stop);
+    settle (GTK_WIDGET (stage.window));
+    inspect_top (GTK_WIDGET (stage.window), where, faults);
+  }
+}
+
+/* Two sizes of screens in classrooms. */
+static void
+inspect_lessons (int width, int height)
+{
+  GPtrArray *faults = g_ptr_array_new_with_free_func (g_free);
+  g_autoptr (GPtrArray) paths = locate_lesson_files ();
+
+  resize (width, height);
+  for (guint i = 0; i < paths->len; i++)
+    inspect_lesson (g_ptr_array_index (paths, i), width, faults);
+  report (faults);
+}
+
+static void
+test_nothing_is_cut_off_in_a_large_window (void)
+{
+  inspect_lessons (1440, 900);
+}
+
+static void
+test_nothing_is_cut_off_in_a_small_window (void)
+{
+  inspect_lessons (1024, 768);
+}
+
+/* Dialogs */
+
+/* Returns: (transfer none): a window beside the main one, or NULL. */
+static GtkWidget *
+find_dialog (void)
+{
+  g_autoptr (GList) tops = gtk_window_list_toplevels ();
+
+  for (GList *node = tops; node != NULL; node = node->next)
+    if (node->data != (gpointer)stage.window
+        && gtk_widget_get_mapped (node->data)
+        && gtk_window_get_window_type (node->data) == GTK_WINDOW_TOPLEVEL)
+      return node->data;
+  return NULL;
+}
+
+static void
+inspect_dialog (const char *action, GPtrArray *faults)
+{
+  GtkWidget *dialog = NULL;
+
+  g_action_group_activate_action (G_ACTION_GROUP (stage.window), action, NULL);
+  for (int i = 0; i < 50 && dialog == NULL; i++) {
+    wait_ms (GTK_WIDGET (stage.window), 100);
+    dialog = find_dialog ();
+  }
+  if (dialog == NULL)
+    g_error ("no dialog: %s", action);
+  wait_ms (dialog, 300);
+  inspect_top (dialog, action, faults);
+  gtk_widget_hide (dialog);
+  wait_ms (GTK_WIDGET (stage.window), 100);
+}
+
+static void
+test_nothing_is_cut_off_in_dialogs (void)
+{
+  static const char *const actions[]
+      = { "generate", "export-picture", "shortcuts", "about" };
+  GPtrArray *faults = g_ptr_array_new_with_free_func (g_free);
+
+  for (guint i = 0; i < G_N_ELEMENTS (actions); i++)
+    inspect_dialog (actions[i], faults);
+  report (faults);
+}
+
+/* The words of the language are shown, or the tests would say nothing. */
+static void
+test_the_window_speaks_the_language (void)
+{
+  const char *word;
+  g_autoptr (GPtrArray) paths = locate_lesson_files ();
+  g_autoptr (Lesson) lesson = lesson_load (g_ptr_array_index (paths, 1), NULL);
+
+  g_assert_true (
+      document_open (stage.session, g_ptr_array_index (paths, 1), NULL));
+  settle (GTK_WIDGET (stage.window));
+  word = gtk_header_bar_get_title (
+      GTK_HEADER_BAR (gtk_window_get_titlebar (GTK_WINDOW (stage.window))));
+  g_assert_cmpstr (word, !=, lesson->title);
+}
+
+int
+main (int argc, char **argv)
+{
+  int status;
+
+  setlocale (LC_ALL, "");
+  locate_translations ();
+  gtk_test_init (&argc, &argv, NULL);
+  setlocale (LC_ALL, "");
+  stage_init ();
+  g_test_add_func ("/layout/the-window-speaks-the-language",
+                   test_the_window_speaks_the_language);
+  g_test_add_func ("/layout/the-window-is-no-larger-than-a-small-screen",
+                   test_the_window_is_no_larger_than_a_small_screen);
+  g_test_add_func ("/layout/nothing-is-cut-off-in-a-large-window",
+                   test_nothing_is_cut_off_in_a_large_window);
+  g_test_add_func ("/layout/nothing-is-cut-off-in-a-small-window",
+                   test_nothing_is_cut_off_in_a_small_window);
+  g_test_add_func ("/layout/nothing-is-cut-off-in-dialogs",
+                   test_nothing_is_cut_off_in_dialogs);
+  status = g_test_run ();
+  gtk_widget_destroy (GTK_WIDGET (stage.window));
+  g_object_unref (stage.application);
+  return status;
+}
