@@ -51,20 +51,6 @@ name_site (Session *session, guint site)
       site_state_text (session_get_site_state (session, 0, site)));
 }
 
-static const char *
-facing_text (Facing facing)
-{
-  switch (facing) {
-  case FACING_LOWER:
-    return _ ("lower");
-  case FACING_VERTICAL:
-    return _ ("vertical");
-  case FACING_UPPER:
-    return _ ("upper");
-  }
-  return "";
-}
-
 static char *
 name_facet (Session *session, guint facet)
 {
@@ -79,7 +65,7 @@ name_facet (Session *session, guint facet)
     return g_strdup_printf ("f%u: s%u s%u s%u", facet, row->site[0],
                             row->site[1], row->site[2]);
   return g_strdup_printf ("f%u: s%u s%u s%u, %s%s%s", facet, row->site[0],
-                          row->site[1], row->site[2], facing_text (row->facing),
+                          row->site[1], row->site[2], facing_name (row->facing),
                           roles & FACET_VISIBLE ? _ (", visible") : "",
                           roles & FACET_CONE ? _ (", in the cone") : "");
 }

@@ -2,6 +2,8 @@
 
 #include "words.h"
 
+#include <glib/gi18n.h>
+
 static const char letters[] = {
   [OBJECT_SITE] = 's',
   [OBJECT_FACET] = 'f',
@@ -35,4 +37,18 @@ object_name_parse (const char *name, Object *object)
       return TRUE;
     }
   return FALSE;
+}
+
+const char *
+facing_name (Facing facing)
+{
+  switch (facing) {
+  case FACING_LOWER:
+    return _ ("lower");
+  case FACING_VERTICAL:
+    return _ ("vertical");
+  case FACING_UPPER:
+    return _ ("upper");
+  }
+  return "";
 }

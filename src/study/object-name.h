@@ -4,6 +4,7 @@
 #define OBJECT_NAME_H
 
 #include "object.h"
+#include "predicate.h"
 
 #include <glib.h>
 
@@ -13,6 +14,9 @@ G_BEGIN_DECLS
 
 void object_name_write (Object object, char name[OBJECT_NAME_ROOM]);
 gboolean object_name_parse (const char *name, Object *object);
+
+/* Returns: "lower", "upper" or "vertical", translated. */
+const char *facing_name (Facing facing);
 
 G_END_DECLS
 

@@ -66,20 +66,6 @@ tell_order (const Trace *trace)
                           order_kind_name (trace->order.kind));
 }
 
-static const char *
-facing_text (Facing facing)
-{
-  switch (facing) {
-  case FACING_LOWER:
-    return _ ("lower");
-  case FACING_VERTICAL:
-    return _ ("vertical");
-  case FACING_UPPER:
-    return _ ("upper");
-  }
-  return "";
-}
-
 static char *
 facet_text (const Question *question, const Trace *trace, guint facet)
 {
@@ -90,7 +76,7 @@ facet_text (const Question *question, const Trace *trace, guint facet)
                             row->site[1], row->site[2]);
   return g_strdup_printf ("f%u (s%u s%u s%u, %s)", facet, row->site[0],
                           row->site[1], row->site[2],
-                          facing_text (row->facing));
+                          facing_name (row->facing));
 }
 
 /* The sites of the circle of a vertex, by number. */
