@@ -236,6 +236,14 @@ def the_file_says_what_it_is():
     check("lesson" in info["Subject"], "no subject")
     check(info["Tagged"].strip() == "yes", "no structure")
     check("2004" in info["CreationDate"], "the time of making is in it")
+    lesson = pathlib.Path(FOLDER.name) / "author.md"
+    text = INSIDE.read_text(encoding="utf-8")
+    lesson.write_text(text.replace("format 1\n", "format 1\nauthor A. N. Other\n", 1),
+                      encoding="utf-8")
+    for options in (), ("--full",):
+        named = write(lesson, *options, name="author.pdf")
+        check(info_of(named)["Author"].strip() == "A. N. Other", "another author")
+        check("A. N. Other · 15 minutes" in text_of(named), "the author is not named")
     places = run("pdfinfo", "-dests", path).stdout.decode()
     for name in ("stop-1", "stop-18", "key-5", "key-18"):
         check(f'"{name}"' in places, f"no place {name}")

@@ -38,6 +38,8 @@ static const Row heads[] = {
     "l.md:6:16: “x” is not known here" },
   { "# T\n\n```lesson\nformat 1\nsites 0 0\nminutes 0\n```\n\n## S\n",
     "l.md:6:9: “minutes” takes a whole number" },
+  { "# T\n\n```lesson\nformat 1\nsites 0 0\nauthor\n```\n\n## S\n",
+    "l.md:6:7: “author” takes a name" },
   { NULL, NULL },
 };
 

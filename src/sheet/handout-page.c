@@ -159,18 +159,19 @@ compare_lengths (gconstpointer a, gconstpointer b)
 /* Where there is no room for all the longest stay: what a term means takes
  * more words than what happens once.
  *
- * Returns: whether a fact is among the @n longest of them. */
-static gboolean
-is_among (const GPtrArray *facts, guint fact, guint n)
+ * Returns: (transfer full): the set of the @n longest. */
+static GHashTable *
+longest (const GPtrArray *facts, guint n)
 {
-  g_autoptr (GPtrArray) sorted
-      = g_ptr_array_copy ((GPtrArray *)facts, NULL, NULL);
-  guint place;
+  GHashTable *kept = g_hash_table_new (NULL, NULL);
+  g_autofree gpointer *sorted
+      = g_memdup2 (facts->pdata, facts->len * sizeof (gpointer));
 
-  g_ptr_array_set_free_func (sorted, NULL);
-  g_ptr_array_sort (sorted, compare_lengths);
-  return g_ptr_array_find (sorted, g_ptr_array_index (facts, fact), &place)
-         && place < n;
+  if (facts->len > 0)
+    qsort (sorted, facts->len, sizeof (gpointer), compare_lengths);
+  for (guint i = 0; i < MIN (facts->len, n); i++)
+    g_hash_table_add (kept, sorted[i]);
+  return kept;
 }
 
 /* Parts of the page */
@@ -229,11 +230,12 @@ static Block *
 facts_column (const Sheet *sheet, guint n, double width)
 {
   Block *stack = block_stack (width);
+  g_autoptr (GHashTable) kept = longest (sheet->facts, n);
 
   block_add (stack, handout_words (sheet->handout, TEXT_LABEL, width,
                                    _ ("Terms and facts")));
   for (guint i = 0; i < sheet->facts->len; i++)
-    if (is_among (sheet->facts, i, n))
+    if (g_hash_table_contains (kept, g_ptr_array_index (sheet->facts, i)))
       add_item (sheet, stack, g_ptr_array_index (sheet->facts, i), FORM_SOLID);
   return stack;
 }
@@ -287,14 +289,22 @@ questions_column (const Sheet *sheet, guint n, double width)
   return stack;
 }
 
+/* Side by side; where there are none of one kind the others have the page. */
 static void
 add_words (const Sheet *sheet, Block *stack, const Fit *fit)
 {
-  const double width = (sheet->handout->width - COLUMN_GAP) / 2;
+  const Handout *handout = sheet->handout;
+  const gboolean has_facts = sheet->facts->len > 0;
+  const gboolean has_questions = handout_count_questions (handout) > 0;
+  const double width = has_facts && has_questions
+                           ? (handout->width - COLUMN_GAP) / 2
+                           : handout->width;
   Block *columns = block_columns (COLUMN_GAP);
 
-  block_add (columns, facts_column (sheet, fit->n_facts, width));
-  block_add (columns, questions_column (sheet, fit->n_questions, width));
+  if (has_facts)
+    block_add (columns, facts_column (sheet, fit->n_facts, width));
+  if (has_questions)
+    block_add (columns, questions_column (sheet, fit->n_questions, width));
   block_add_below (stack, columns, 12);
 }
 
@@ -304,12 +314,12 @@ compose (Sheet *sheet, const Fit *fit)
   Handout *handout = sheet->handout;
   const guint n_pictures
       = sheet->listings->len > 0 ? MIN (fit->n_pictures, 2) : fit->n_pictures;
-  g_autofree char *minutes = handout_minutes (handout->lesson);
+  g_autofree char *under = handout_measures (handout, FALSE);
   Block *stack = block_stack (handout->width);
   Block *sources;
 
   handout->press.scale = fit->scale;
-  handout_head (handout, stack, minutes);
+  handout_head (handout, stack, under);
   add_grid (sheet, stack, sheet->pictures, n_pictures, captioned);
   add_grid (sheet, stack, sheet->listings, fit->n_pictures, listed);
   add_words (sheet, stack, fit);

@@ -48,8 +48,9 @@ Block *handout_sources (const Handout *handout);
  * for. */
 void handout_add_lines (Handout *handout);
 
-/* Returns: (transfer full): "12 minutes", or "" when it is not said. */
-char *handout_minutes (const Lesson *lesson);
+/* Returns: (transfer full): what stands under the title: author and minutes,
+ *          and with @counts how many stops and questions there are. */
+char *handout_measures (const Handout *handout, gboolean counts);
 
 /* Returns: (transfer full): plain words in a style. */
 Block *handout_words (const Handout *handout,
@@ -65,6 +66,8 @@ Block *handout_picture (const Handout *handout,
 
 /* Returns: whether the stop has a question that can be printed. */
 gboolean handout_asks (const Handout *handout, guint stop);
+
+guint handout_count_questions (const Handout *handout);
 
 /* What a stop asks: the prompt, and either room for the answer or, with
  * @is_answered, the answer itself. */

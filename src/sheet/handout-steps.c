@@ -12,6 +12,10 @@
 /* Of many rounds so many are shown, evenly spread, the last among them. */
 #define MOST_ROUNDS 24
 
+/* Of many sites pictures are large, and nobody follows them on paper. */
+#define MANY_SITES 200
+#define MOST_ROUNDS_OF_MANY 4
+
 /* Of many facets so many are named. */
 #define MOST_NAMES 6
 
@@ -159,7 +163,9 @@ static void
 add_rounds (const Film *film)
 {
   const guint n_rounds = film->trace->n_rounds;
-  const guint n_shown = MIN (n_rounds, MOST_ROUNDS);
+  const gboolean is_many = film->trace->set->n_sites > MANY_SITES;
+  const guint n_shown
+      = MIN (n_rounds, is_many ? MOST_ROUNDS_OF_MANY : MOST_ROUNDS);
 
   for (guint i = 1; i <= n_shown; i++)
     add_round (film, (guint)((guint64)i * n_rounds / n_shown));

@@ -55,8 +55,8 @@ handout_picture (const Handout *handout,
                        width, width / PICTURE_RATIO);
 }
 
-char *
-handout_minutes (const Lesson *lesson)
+static char *
+minutes_of (const Lesson *lesson)
 {
   return lesson->minutes == 0
              ? g_strdup ("")
@@ -65,8 +65,8 @@ handout_minutes (const Lesson *lesson)
                  lesson->minutes);
 }
 
-static guint
-count_questions (const Handout *handout)
+guint
+handout_count_questions (const Handout *handout)
 {
   guint n = 0;
 
@@ -75,25 +75,33 @@ count_questions (const Handout *handout)
   return n;
 }
 
-/* "12 minutes · 24 stops · 7 questions" */
-static char *
-measures (const Handout *handout)
+/* Adds a part to what stands under a title: "a · b". */
+static void
+append (GString *text, const char *part)
 {
-  const guint n_stops = handout->lesson->stops->len;
-  const guint n_questions = count_questions (handout);
-  g_autofree char *minutes = handout_minutes (handout->lesson);
-  g_autoptr (GString) text = g_string_new (minutes);
-
+  if (part[0] == '\0')
+    return;
   g_string_append (text, text->len > 0 ? " · " : "");
-  g_string_append_printf (text, ngettext ("%u stop", "%u stops", n_stops),
-                          n_stops);
-  if (n_questions > 0) {
-    g_string_append (text, " · ");
-    g_string_append_printf (
-        text, ngettext ("%u question", "%u questions", n_questions),
-        n_questions);
-  }
-  return g_strdup (text->str);
+  g_string_append (text, part);
+}
+
+char *
+handout_measures (const Handout *handout, gboolean counts)
+{
+  const Lesson *lesson = handout->lesson;
+  const guint n_stops = lesson->stops->len;
+  const guint n_questions = handout_count_questions (handout);
+  g_autofree char *minutes = minutes_of (lesson);
+  g_autofree char *stops
+      = g_strdup_printf (ngettext ("%u stop", "%u stops", n_stops), n_stops);
+  g_autofree char *questions = g_strdup_printf (
+      ngettext ("%u question", "%u questions", n_questions), n_questions);
+  GString *text = g_string_new (lesson->author);
+
+  append (text, minutes);
+  append (text, counts ? stops : "");
+  append (text, counts && n_questions > 0 ? questions : "");
+  return g_string_free (text, FALSE);
 }
 
 void
@@ -119,7 +127,7 @@ void
 handout_add_title (Handout *handout)
 {
   const Lesson *lesson = handout->lesson;
-  g_autofree char *under = measures (handout);
+  g_autofree char *under = handout_measures (handout, TRUE);
   Block *stack = block_stack (handout->width);
 
   stack->title = g_strdup (lesson->title);
@@ -244,6 +252,7 @@ static PdfWords
 words_of (const Handout *handout)
 {
   return (PdfWords){ .title = handout->lesson->title,
+                     .author = handout->lesson->author,
                      .subject = _ ("A lesson of Hull2VD") };
 }
 

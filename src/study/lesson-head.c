@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define MAX_MINUTES 600
+#define MAX_AUTHOR 200 /* characters */
 
 /* What a lesson block has said so far. */
 typedef struct Head {
@@ -197,6 +198,21 @@ read_minutes (Head *head,
   return TRUE;
 }
 
+static gboolean
+read_author (Head *head,
+             const LessonLine *line,
+             const char *value,
+             GError **error)
+{
+  const glong n = g_utf8_strlen (value, -1);
+
+  if (n == 0 || n > MAX_AUTHOR)
+    return blame (head, line, value,
+                  _ ("“author” takes a name of at most 200 characters"), error);
+  head->lesson->author = g_strdup (value);
+  return TRUE;
+}
+
 /* Keys */
 
 static const struct {
@@ -209,7 +225,7 @@ static const struct {
   { "format", read_format },   { "sites", read_sites },
   { "views", read_views },     { "step-size", read_step_size },
   { "theme", read_theme },     { "levels", read_levels },
-  { "minutes", read_minutes },
+  { "minutes", read_minutes }, { "author", read_author },
 };
 
 static gboolean

@@ -57,6 +57,7 @@ lesson_unref (Lesson *lesson)
   g_free (lesson->note);
   g_free (lesson->sites);
   g_free (lesson->site_file);
+  g_free (lesson->author);
   g_ptr_array_unref (lesson->stops);
   g_clear_pointer (&lesson->start, stop_state_free);
   g_free (lesson);

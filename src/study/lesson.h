@@ -82,6 +82,7 @@ typedef struct Lesson {
   Site *sites; /* at its start */
   guint n_sites;
   char *site_file;  /* where they come from, or NULL: no file */
+  char *author;     /* a name, or NULL: not said */
   Views views;      /* to begin with */
   int step_size;    /* a StepSize, to begin with; -1: as it is */
   int theme;        /* a ThemeKind, to begin with; -1: as it is */
