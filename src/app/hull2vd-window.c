@@ -218,6 +218,7 @@ hull2vd_window_dispose (GObject *object)
 {
   Hull2vdWindow *window = HULL2VD_WINDOW (object);
 
+  window_record_end (window);
   if (window->session != NULL)
     session_cancel (window->session);
   g_clear_pointer (&window->watch, lesson_watch_free);

@@ -58,6 +58,8 @@ window_command_state (Hull2vdWindow *window, const char *name)
         gtk_widget_get_visible (GTK_WIDGET (window->narration_bar)));
   if (g_str_equal (name, "fullscreen"))
     return g_variant_new_boolean (is_fullscreen (window));
+  if (g_str_equal (name, "record"))
+    return g_variant_new_boolean (window_record_is_on (window));
   if (g_str_equal (name, "detach-space"))
     return g_variant_new_boolean (window_space_is_detached (window));
   if (g_str_equal (name, "paper-bindings"))
@@ -206,6 +208,9 @@ static const struct {
   { "export-results", window_progress_export },
   { "clear-progress", window_progress_clear },
   { "next-lesson", window_progress_next_lesson },
+  { "record", window_record_toggle },
+  { "record-stop", window_record_cut },
+  { "record-copy", window_record_copy },
   { "shortcuts", run_shortcuts },
   { "about", run_about },
   { "close", run_close },

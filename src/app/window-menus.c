@@ -24,6 +24,7 @@ static const MenuRow main_rows[] = {
   { N_ ("_Save Sites"), "save" },
   { N_ ("Save Sites _As…"), "save-as" },
   { N_ ("Make a _Copy of the Lesson"), "adapt-lesson" },
+  { N_ ("_Record as Lesson Text"), "record" },
   { N_ ("You Be _QuickHull"), "perform::" },
   { NULL, "" },
   { N_ ("_Generate Sites…"), "generate" },

@@ -13,6 +13,7 @@
 #include "lesson-watch.h"
 #include "narration-bar.h"
 #include "plane-view.h"
+#include "record-window.h"
 #include "side-column.h"
 #include "space-view.h"
 #include "transport.h"
@@ -58,8 +59,10 @@ struct _Hull2vdWindow {
   SpaceView *space_view;
   GtkLabel *plane_hint, *space_hint, *plane_readout;
   CoordinateEntry *coordinate_entry;
-  GtkWidget *generate_dialog; /* NULL: not asked for yet */
-  GtkWidget *space_window;    /* NULL: space is in this window */
+  GtkWidget *generate_dialog;  /* NULL: not asked for yet */
+  RecordWindow *record_window; /* NULL: not asked for yet */
+  SessionRecord *record;       /* NULL: nothing is recorded */
+  GtkWidget *space_window;     /* NULL: space is in this window */
   GtkLabel *plane_title, *space_title;
   Canvas *views[2 * N_PANES]; /* both kinds for each place */
   GtkLabel *reports[N_PANES];
@@ -139,6 +142,13 @@ void window_progress_init (Hull2vdWindow *window);
 void window_progress_export (Hull2vdWindow *window);
 void window_progress_clear (Hull2vdWindow *window);
 void window_progress_next_lesson (Hull2vdWindow *window);
+
+/* window-record.c: what is done, as text of a lesson. */
+void window_record_toggle (Hull2vdWindow *window);
+gboolean window_record_is_on (Hull2vdWindow *window);
+void window_record_cut (Hull2vdWindow *window);
+void window_record_copy (Hull2vdWindow *window);
+void window_record_end (Hull2vdWindow *window); /* the window goes */
 
 /* window-menus.c */
 void window_menus_init (Hull2vdWindow *window);

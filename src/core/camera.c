@@ -97,6 +97,39 @@ camera_stand (Camera *camera, double azimuth, double elevation)
   camera->turn = turn_of (azimuth * degree, elevation * degree);
 }
 
+/* Straight above and below there is no azimuth: it is all roll. */
+#define LEAST_AWAY 1e-4
+
+CameraStance
+camera_stance (const Camera *camera)
+{
+  const double degree = ACOS_MINUS_1 / 180;
+  const Quaternion turn = camera_normalize (camera->turn);
+  /* The direction to the eye, in scene axes. */
+  const Point3 eye = { 2 * (turn.x * turn.z - turn.w * turn.y),
+                       2 * (turn.y * turn.z + turn.w * turn.x),
+                       1 - 2 * (turn.x * turn.x + turn.y * turn.y) };
+  const double away = hypot (eye.x, eye.y);
+  const double azimuth = away < LEAST_AWAY ? 0 : atan2 (eye.x, -eye.y);
+  const double elevation = atan2 (eye.z, away < LEAST_AWAY ? 0 : away);
+  const Quaternion level = turn_of (azimuth, elevation);
+  const Quaternion back = { level.w, -level.x, -level.y, -level.z };
+  const Quaternion rest = quaternion_times (turn, back);
+
+  return (CameraStance){ azimuth / degree, elevation / degree,
+                         remainder (2 * atan2 (rest.z, rest.w) / degree, 360) };
+}
+
+void
+camera_take_stance (Camera *camera, CameraStance stance)
+{
+  const double half = stance.roll * ACOS_MINUS_1 / 360;
+
+  camera_stand (camera, stance.azimuth, stance.elevation);
+  camera->turn = camera_normalize (quaternion_times (
+      (Quaternion){ cos (half), 0, 0, sin (half) }, camera->turn));
+}
+
 bool
 camera_equal (const Camera *a, const Camera *b)
 {

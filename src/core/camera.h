@@ -84,6 +84,17 @@ void plane_camera_init (PlaneCamera *camera);
  * and lifted above the plane by @elevation. Units: degrees. */
 void camera_stand (Camera *camera, double azimuth, double elevation);
 
+/* Where the eye stands and how it is held. Units: degrees. */
+typedef struct CameraStance {
+  double azimuth, elevation; /* as camera_stand() has them */
+  double roll;               /* of the picture, to the left */
+} CameraStance;
+
+CameraStance camera_stance (const Camera *camera);
+
+/* Lets home be seen from there. */
+void camera_take_stance (Camera *camera, CameraStance stance);
+
 /* Turns as if a ball filling the view were rolled from one pixel to another.
  *
  * Source: Shoemake 1992, Arcball; Holroyd's sheet of a hyperbola outside the

@@ -1,4 +1,5 @@
 #include "action-private.h"
+#include "camera-text.h"
 #include "object-name.h"
 #include "words.h"
 
@@ -241,15 +242,21 @@ ACTION_RUN (action_camera)
   const char *name = g_variant_get_string (parameter, NULL);
   const char *names[N_CAMERA_PRESETS + 1] = { NULL };
   CameraPreset preset;
+  Camera camera;
 
   if (camera_preset_parse (name, &preset)) {
     put_preset (session, preset);
     return TRUE;
   }
+  if (camera_text_read (name, &camera)) {
+    session_set_camera (session, &camera);
+    return TRUE;
+  }
   for (guint i = 0; i < N_CAMERA_PRESETS; i++)
     names[i] = camera_preset_name ((CameraPreset)i);
-  return refuse (_ ("there is no camera “%s”%s; the cameras are %s"), name,
-                 names, error);
+  return refuse (_ ("there is no camera “%s”%s; the cameras are %s, or "
+                    "degrees: AZIMUTH ELEVATION"),
+                 name, names, error);
 }
 
 ACTION_RUN (action_camera_preset)

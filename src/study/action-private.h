@@ -16,7 +16,7 @@ extern const ActionRows action_rows_time;     /* time, questions, states */
 extern const ActionRows action_rows_perform;  /* You be QuickHull */
 extern const ActionRows action_rows_look;     /* what is shown and how */
 extern const ActionRows action_rows_edit;     /* sites, and the window's own */
-extern const ActionRows action_rows_progress; /* progress and results */
+extern const ActionRows action_rows_progress; /* progress, results, records */
 
 #define ACTION_RUN(name)                                                       \
   gboolean name (const Action *action G_GNUC_UNUSED, Session *session,         \

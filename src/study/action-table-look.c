@@ -285,8 +285,8 @@ static const Action rows[] = {
     .is_enabled = action_has_sites },
   { .name = "camera",
     .parameter = "s",
-    .sentence = N_ ("Look at space from: home, look-up, look-down, side or "
-                    "look-up-unmirrored"),
+    .sentence = N_ ("Look at space from: home, look-up, look-down, side, "
+                    "look-up-unmirrored, or degrees: AZIMUTH ELEVATION"),
     .where = ACTION_IN_LESSON | ACTION_IN_WINDOW,
     .run = action_camera },
   { .name = "camera-home",

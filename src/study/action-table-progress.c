@@ -1,4 +1,4 @@
-/* Rows of the action table: progress in lessons, and results. */
+/* Rows of the action table: progress in lessons, results, and records. */
 #include "action-private.h"
 
 #include <glib/gi18n.h>
@@ -23,6 +23,18 @@ static const Action rows[] = {
     .sentence = N_ ("Forget how far you are in all lessons"),
     .where = ACTION_IN_WINDOW,
     .is_enabled = action_has_progress },
+  { .name = "record",
+    .state = "b",
+    .sentence = N_ ("Write down what you do, as text of a lesson"),
+    .keys = "<Primary>r",
+    .where = ACTION_IN_WINDOW },
+  { .name = "record-stop",
+    .sentence = N_ ("Begin a new stop of what is recorded"),
+    .keys = "<Primary><Shift>r",
+    .where = ACTION_IN_WINDOW },
+  { .name = "record-copy",
+    .sentence = N_ ("Copy what was recorded"),
+    .where = ACTION_IN_WINDOW },
 };
 
 const ActionRows action_rows_progress = { rows, G_N_ELEMENTS (rows) };

@@ -172,7 +172,8 @@ session_fit_extent (Session *session, gboolean anyway)
   if (!anyway && all_inside (session->run->set, &before))
     return;
   session->look.extent = site_set_extent (session->run->set);
-  if (!anyway)
+  /* A stop is shown with the whole plane in view. */
+  if (!anyway && !session->is_replaying)
     keep_plane (session, &before);
   session_tell (session, CHANGED_LOOK);
 }
