@@ -133,15 +133,25 @@ forget (const char *words, guint line, gpointer user)
 }
 
 /* Options that the program writes are words of its own. */
+static const char *const program_options[] = { "a lower facet",
+                                               "an upper facet",
+                                               "a vertical facet",
+                                               "lower facets",
+                                               "upper facets",
+                                               "vertical facets",
+                                               NULL };
+
 static void
 forget_options_of_the_program (void)
 {
-  static const char *const options[]
-      = { "a lower facet", "an upper facet", "a vertical facet",
-          "lower facets",  "upper facets",   "vertical facets" };
+  for (guint i = 0; program_options[i] != NULL; i++)
+    g_hash_table_remove (asked, program_options[i]);
+}
 
-  for (guint i = 0; i < G_N_ELEMENTS (options); i++)
-    g_hash_table_remove (asked, options[i]);
+static const char *
+mark_words_of_the_file (const char *words)
+{
+  return g_strv_contains (program_options, words) ? NULL : mark (words);
 }
 
 static void
@@ -198,6 +208,97 @@ test_words_are_found_in_their_lines (void)
   g_assert_cmpint (g_rmdir (folder), ==, 0);
 }
 
+/* What a person reads, in one text, layout aside. */
+static void
+append_text (GString *all, const char *prose)
+{
+  g_autofree char *words = prose != NULL ? prose_to_text (prose) : NULL;
+
+  g_string_append_printf (all, "[%s]", words != NULL ? words : "");
+}
+
+static void
+append_question (GString *all, const Question *question)
+{
+  g_string_append_printf (all, "<%s %s", question->position, question->prompt);
+  for (guint i = 0; i < question->hints->len; i++)
+    g_string_append_printf (
+        all, ";%s", (const char *)g_ptr_array_index (question->hints, i));
+  for (guint i = 0; i < question->options->len; i++) {
+    const QuestionOption *option = g_ptr_array_index (question->options, i);
+
+    g_string_append_printf (all, ";%s if %s", option->text,
+                            condition_text (option->condition));
+  }
+}
+
+/* Returns: (transfer full): all words and commands of a lesson. */
+static char *
+tell (const Lesson *lesson)
+{
+  GString *all = g_string_new (lesson->title);
+
+  append_text (all, lesson->prose);
+  append_text (all, lesson->note);
+  for (guint i = 0; i < lesson->stops->len; i++) {
+    const LessonStop *stop = lesson_stop (lesson, i);
+
+    g_string_append_printf (all, "\n%s", stop->title);
+    append_text (all, stop->prose);
+    append_text (all, stop->note);
+    for (guint k = 0; k < stop->commands->len; k++) {
+      const LessonCommand *command = g_ptr_array_index (stop->commands, k);
+
+      g_string_append_printf (all, ";%s", command->text);
+    }
+    if (stop->question != NULL)
+      append_question (all, stop->question);
+  }
+  return g_string_free (all, FALSE);
+}
+
+static void
+expect_written (const char *commonmark, const char *path)
+{
+  g_autoptr (Lesson) lesson
+      = lesson_parse (commonmark, strlen (commonmark), path, NULL);
+  g_autofree char *written
+      = lesson_words_write (commonmark, strlen (commonmark), path, mark);
+  g_autoptr (GError) error = NULL;
+  g_autoptr (Lesson) read
+      = lesson_parse (written, strlen (written), path, &error);
+  g_autofree char *expected = NULL, *found = NULL;
+
+  g_assert_no_error (error);
+  lesson_words_translate_by (lesson, mark_words_of_the_file);
+  expected = tell (lesson);
+  found = tell (read);
+  g_assert_cmpstr (found, ==, expected);
+}
+
+/* Written and read again, a lesson is the one that is shown. */
+static void
+test_a_lesson_is_written_in_another_language (void)
+{
+  g_autoptr (GPtrArray) paths = locate_lesson_files ();
+
+  expect_written (text, "l.md");
+  for (guint i = 0; i < paths->len; i++) {
+    const char *path = g_ptr_array_index (paths, i);
+    g_autofree char *commonmark = NULL;
+
+    g_assert_true (g_file_get_contents (path, &commonmark, NULL, NULL));
+    expect_written (commonmark, path);
+  }
+}
+
+static void
+test_a_lesson_in_no_catalog_is_not_written (void)
+{
+  g_assert_null (
+      lesson_words_write (text, strlen (text), "l.md", mark_small_words));
+}
+
 int
 main (int argc, char **argv)
 {
@@ -216,5 +317,9 @@ main (int argc, char **argv)
                    test_what_is_found_in_lessons_is_what_is_looked_up);
   g_test_add_func ("/lesson-words/words-are-found-in-their-lines",
                    test_words_are_found_in_their_lines);
+  g_test_add_func ("/lesson-words/a-lesson-is-written-in-another-language",
+                   test_a_lesson_is_written_in_another_language);
+  g_test_add_func ("/lesson-words/a-lesson-in-no-catalog-is-not-written",
+                   test_a_lesson_in_no_catalog_is_not_written);
   return g_test_run ();
 }

@@ -1,6 +1,7 @@
 #include "lesson-copy.h"
 
 #include "document.h"
+#include "lesson-words.h"
 
 #include <errno.h>
 #include <glib/gi18n.h>
@@ -59,6 +60,21 @@ copy_file (const char *from, const char *to, GError **error)
          && document_write (to, text, length, error);
 }
 
+/* Who changes a lesson reads it in the language in which it is shown. */
+static gboolean
+copy_words (const char *from, const char *to, GError **error)
+{
+  g_autofree char *text = NULL, *translated = NULL;
+  gsize length;
+
+  if (!g_file_get_contents (from, &text, &length, error))
+    return FALSE;
+  translated = lesson_words_write (text, length, from, lesson_words_look_up);
+  if (translated == NULL)
+    return document_write (to, text, length, error);
+  return document_write (to, translated, strlen (translated), error);
+}
+
 /* The file of sites keeps its name, for the lesson says it; one that is there
  * already belongs to another copy and may have been changed. */
 static gboolean
@@ -87,7 +103,7 @@ lesson_copy (const Lesson *lesson, const char *folder, GError **error)
                  _ ("there are too many copies of this lesson"));
     return NULL;
   }
-  if (!copy_file (lesson->path, path, error)
+  if (!copy_words (lesson->path, path, error)
       || (lesson->site_file != NULL && !copy_sites (lesson, folder, error)))
     return NULL;
   return g_steal_pointer (&path);

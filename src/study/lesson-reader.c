@@ -105,6 +105,15 @@ lesson_note_strip (cmark_node *node)
   return TRUE;
 }
 
+void
+lesson_note_mark (cmark_node *quote)
+{
+  cmark_node *mark = cmark_node_new (CMARK_NODE_TEXT);
+
+  cmark_node_set_literal (mark, NOTE_MARK " ");
+  cmark_node_prepend_child (cmark_node_first_child (quote), mark);
+}
+
 static gboolean
 read_quote (LessonReader *reader, cmark_node *quote, GError **error)
 {

@@ -37,6 +37,9 @@ gboolean lesson_read_prose (LessonReader *reader,
  * Returns: whether @node is one. */
 gboolean lesson_note_strip (cmark_node *node);
 
+/* Puts the mark before the words of a quotation again. */
+void lesson_note_mark (cmark_node *quote);
+
 /* Reads a block of code: commands, or code to be read. */
 gboolean
 lesson_read_fence (LessonReader *reader, cmark_node *block, GError **error);

@@ -4,8 +4,8 @@
 
 /* Of what is not in the catalog, dgettext() gives back what it was given;
  * the empty string stands for the catalog's header. */
-static const char *
-look_up (const char *words)
+const char *
+lesson_words_look_up (const char *words)
 {
   const char *translation
       = *words == '\0' ? words : dgettext (LESSON_WORDS_DOMAIN, words);
@@ -75,7 +75,7 @@ lesson_words_translate_by (Lesson *lesson, ProseTranslate translate)
 void
 lesson_words_translate (Lesson *lesson)
 {
-  lesson_words_translate_by (lesson, look_up);
+  lesson_words_translate_by (lesson, lesson_words_look_up);
 }
 
 Lesson *

@@ -27,6 +27,19 @@ void lesson_words_translate_by (Lesson *lesson, ProseTranslate translate);
 /* As lesson_load(), then lesson_words_translate(). */
 Lesson *lesson_words_load (const char *path, GError **error);
 
+/* Writes a lesson with its words in another language, for who wants to change
+ * it: commands as they were, byte by byte.
+ *
+ * Returns: (transfer full): the text of its file, or NULL when its title has
+ *          no translation, or it cannot be read. */
+char *lesson_words_write (const char *text,
+                          gsize length,
+                          const char *path,
+                          ProseTranslate translate);
+
+/* The translation in the language of the locale, or NULL. */
+const char *lesson_words_look_up (const char *words);
+
 /* A string of a lesson, and the line where it begins, from 1. */
 typedef void (*LessonWordFound) (const char *words, guint line, gpointer user);
 

@@ -1,7 +1,5 @@
 #include "prose-words.h"
 
-#include "prose.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -83,7 +81,7 @@ replace_inside (cmark_node *block, const char *commonmark)
 }
 
 static void
-translate_block (cmark_node *block, ProseTranslate translate)
+translate_words (cmark_node *block, ProseTranslate translate)
 {
   g_autofree char *words = prose_block_words (block);
   const char *translation = words != NULL ? translate (words) : NULL;
@@ -93,20 +91,31 @@ translate_block (cmark_node *block, ProseTranslate translate)
 }
 
 /* Containers alone hold blocks; what is in a paragraph is not looked at. */
-static void
-translate_below (cmark_node *parent, ProseTranslate translate)
+void
+prose_translate_block (cmark_node *block, ProseTranslate translate)
 {
-  for (cmark_node *node = cmark_node_first_child (parent); node != NULL;
-       node = cmark_node_next (node))
-    switch ((int)cmark_node_get_type (node)) {
-    case CMARK_NODE_BLOCK_QUOTE:
-    case CMARK_NODE_LIST:
-    case CMARK_NODE_ITEM:
-      translate_below (node, translate);
-      break;
-    default:
-      translate_block (node, translate);
-    }
+  switch ((int)cmark_node_get_type (block)) {
+  case CMARK_NODE_DOCUMENT:
+  case CMARK_NODE_BLOCK_QUOTE:
+  case CMARK_NODE_LIST:
+  case CMARK_NODE_ITEM:
+    for (cmark_node *node = cmark_node_first_child (block); node != NULL;
+         node = cmark_node_next (node))
+      prose_translate_block (node, translate);
+    break;
+  default:
+    translate_words (block, translate);
+  }
+}
+
+void
+prose_set_words (cmark_node *heading, const char *words)
+{
+  cmark_node *text = cmark_node_new (CMARK_NODE_TEXT);
+
+  cmark_node_set_literal (text, words);
+  remove_children (heading);
+  cmark_node_append_child (heading, text);
 }
 
 char *
@@ -116,7 +125,7 @@ prose_translate (const char *commonmark, ProseTranslate translate)
                                                CMARK_OPT_DEFAULT);
   char *rendered, *copy;
 
-  translate_below (document, translate);
+  prose_translate_block (document, translate);
   rendered = cmark_render_commonmark (document, CMARK_OPT_DEFAULT, 0);
   copy = g_strdup (rendered);
   free (rendered);

@@ -2,8 +2,9 @@
 #ifndef PROSE_WORDS_H
 #define PROSE_WORDS_H
 
+#include "prose.h"
+
 #include <cmark.h>
-#include <glib.h>
 
 G_BEGIN_DECLS
 
@@ -14,6 +15,12 @@ char *prose_block_words (cmark_node *block);
 
 /* Returns: (transfer full): the words of a heading, without markup. */
 char *prose_plain_words (cmark_node *heading);
+
+/* Puts the words of a block, or of all blocks in it, into another language. */
+void prose_translate_block (cmark_node *block, ProseTranslate translate);
+
+/* Makes @words all that a heading says. */
+void prose_set_words (cmark_node *heading, const char *words);
 
 G_END_DECLS
 
