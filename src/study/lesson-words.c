@@ -16,12 +16,12 @@ lesson_words_look_up (const char *words)
 static void
 translate_string (char **string, ProseTranslate translate)
 {
-  const char *translation = *string != NULL ? translate (*string) : NULL;
+  char *copy = *string != NULL ? g_strdup (translate (*string)) : NULL;
 
-  if (translation == NULL)
+  if (copy == NULL)
     return;
   g_free (*string);
-  *string = g_strdup (translation);
+  *string = copy;
 }
 
 static void
