@@ -3,6 +3,7 @@
 #include "lit-drawing.h"
 #include "memory.h"
 #include "raster.h"
+#include "underlay.h"
 
 #include <stdlib.h>
 
@@ -22,6 +23,7 @@ struct Easel {
   BoxIndex *boxes;    /* of the strokes of stocks[0] … */
   bool are_boxes_set; /* … when this is so */
   Raster *raster;     /* NULL before the first picture */
+  Underlay *underlay;
   Theme theme;
   Projection projection;
   double scale;
@@ -35,6 +37,7 @@ easel_new (void)
 
   easel->names = names_new ();
   easel->boxes = box_index_new ();
+  easel->underlay = underlay_new ();
   easel->merged = drawing_new (easel->names);
   for (i = 0; i < 2; i++) {
     easel->stocks[i] = drawing_new (easel->names);
@@ -56,6 +59,7 @@ easel_free (Easel *easel)
   }
   drawing_free (easel->merged);
   box_index_free (easel->boxes);
+  underlay_free (easel->underlay);
   names_free (easel->names);
   raster_free (easel->raster);
   free (easel);
@@ -120,30 +124,6 @@ is_same_size (const Easel *easel, double scale)
          && easel->stocks[0]->height == easel->stocks[1]->height;
 }
 
-static cairo_region_t *
-paint_all (Easel *easel, const Scene *scene, double scale)
-{
-  const Drawing *stock = easel->stocks[0];
-  cairo_rectangle_int_t whole = { 0 };
-  cairo_surface_t *surface;
-
-  if (!is_same_size (easel, scale)) {
-    raster_free (easel->raster);
-    easel->raster = raster_new (stock->width, stock->height, scale);
-    easel->scale = scale;
-  }
-  if (scene_has_light (scene)) {
-    lit_drawing_merge (easel->lights[0], stock, scene, NULL, stock->n_strokes,
-                       easel->merged);
-    stock = easel->merged;
-  }
-  raster_paint (easel->raster, stock, NULL);
-  surface = raster_get_surface (easel->raster);
-  whole.width = cairo_image_surface_get_width (surface);
-  whole.height = cairo_image_surface_get_height (surface);
-  return cairo_region_create_rectangle (&whole);
-}
-
 /* Returns: the numbers of the stock's strokes that may meet a square, when
  *          they are listed; free with free(). */
 static uint32_t *
@@ -190,23 +170,82 @@ paint_squares (Easel *easel, const Scene *scene, const Squares *squares)
   free (strokes);
 }
 
-/* What has changed of stock and light. */
+static void
+init_squares (const Easel *easel, int side, Squares *squares)
+{
+  squares_init (squares, easel->stocks[0]->width, easel->stocks[0]->height,
+                easel->scale, side);
+}
+
+/* Another stock is shown; what of it is lit is not kept. */
+static void
+begin_underlay (Easel *easel)
+{
+  Squares lit;
+
+  init_squares (easel, SQUARE_LIT, &lit);
+  lit_drawing_mark (easel->lights[0], &lit);
+  underlay_begin (easel->underlay, raster_get_surface (easel->raster), &lit);
+  squares_clear (&lit);
+}
+
 static cairo_region_t *
-paint_changes (Easel *easel, const Scene *scene, bool has_other_stock)
+paint_all (Easel *easel, const Scene *scene, double scale)
 {
   const Drawing *stock = easel->stocks[0];
+  cairo_rectangle_int_t whole = { 0 };
+  cairo_surface_t *surface;
+
+  if (!is_same_size (easel, scale)) {
+    raster_free (easel->raster);
+    easel->raster = raster_new (stock->width, stock->height, scale);
+    easel->scale = scale;
+  }
+  if (scene_has_light (scene)) {
+    lit_drawing_merge (easel->lights[0], stock, scene, NULL, stock->n_strokes,
+                       easel->merged);
+    stock = easel->merged;
+  }
+  raster_paint (easel->raster, stock, NULL);
+  begin_underlay (easel);
+  surface = raster_get_surface (easel->raster);
+  whole.width = cairo_image_surface_get_width (surface);
+  whole.height = cairo_image_surface_get_height (surface);
+  return cairo_region_create_rectangle (&whole);
+}
+
+static cairo_region_t *
+paint_stock_changes (Easel *easel, const Scene *scene)
+{
   cairo_region_t *region;
   Squares squares;
 
-  squares_init (&squares, stock->width, stock->height, easel->scale,
-                has_other_stock ? SQUARE : SQUARE_LIT);
-  if (has_other_stock)
-    drawing_compare (easel->stocks[1], stock, &squares);
+  init_squares (easel, SQUARE, &squares);
+  drawing_compare (easel->stocks[1], easel->stocks[0], &squares);
   lit_drawing_compare (easel->lights[1], easel->lights[0], &squares);
+  paint_squares (easel, scene, &squares);
+  begin_underlay (easel);
   region = squares_region (&squares);
-  if (!cairo_region_is_empty (region))
-    paint_squares (easel, scene, &squares);
   squares_clear (&squares);
+  return region;
+}
+
+static cairo_region_t *
+paint_light_changes (Easel *easel, const Scene *scene)
+{
+  cairo_region_t *region;
+  Squares squares, lit;
+
+  init_squares (easel, SQUARE_LIT, &squares);
+  init_squares (easel, SQUARE_LIT, &lit);
+  lit_drawing_compare (easel->lights[1], easel->lights[0], &squares);
+  lit_drawing_mark (easel->lights[0], &lit);
+  region = squares_region (&squares);
+  underlay_move (easel->underlay, raster_get_surface (easel->raster), &lit,
+                 &squares);
+  paint_squares (easel, scene, &squares);
+  squares_clear (&squares);
+  squares_clear (&lit);
   return region;
 }
 
@@ -230,5 +269,6 @@ easel_paint (Easel *easel,
       || (has_other_stock
           && easel->stocks[0]->edition != easel->stocks[1]->edition))
     return paint_all (easel, scene, scale);
-  return paint_changes (easel, scene, has_other_stock);
+  return has_other_stock ? paint_stock_changes (easel, scene)
+                         : paint_light_changes (easel, scene);
 }

@@ -131,6 +131,21 @@ lit_drawing_compare (const LitDrawing *before,
   drawing_compare (before->lit, after->lit, squares);
 }
 
+void
+lit_drawing_mark (const LitDrawing *light, Squares *squares)
+{
+  const Drawing *const drawings[2] = { light->plain, light->lit };
+  uint32_t i;
+  int k;
+
+  for (k = 0; k < 2; k++) {
+    for (i = 0; i < drawings[k]->n_strokes; i++)
+      squares_mark_stroke (squares, drawings[k], &drawings[k]->strokes[i]);
+    for (i = 0; i < drawings[k]->n_placed; i++)
+      squares_mark (squares, &drawings[k]->placed[i].box);
+  }
+}
+
 /* Merging */
 
 static bool

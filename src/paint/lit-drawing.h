@@ -38,6 +38,9 @@ void lit_drawing_compare (const LitDrawing *before,
                           const LitDrawing *after,
                           Squares *squares);
 
+/* Marks where the stock is not as it is without the light. */
+void lit_drawing_mark (const LitDrawing *light, Squares *squares);
+
 /* Puts both together in @to, back to front: all strokes of the stock when
  * @strokes is NULL, or these @n, ascending. */
 void lit_drawing_merge (const LitDrawing *light,

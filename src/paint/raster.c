@@ -12,6 +12,9 @@
 #define N_BANDS 6
 #define MANY_PIXELS 60000 /* less is painted by one hand */
 
+/* So few strokes are not chosen before they are painted square by square. */
+#define FEW_STROKES 10000
+
 struct Raster {
   cairo_surface_t *surface;
   Hand hands[N_HANDS];
@@ -211,14 +214,18 @@ paint_all (Raster *raster, const Drawing *drawing)
   paint_clips (raster, &work, width * height > MANY_PIXELS);
 }
 
-/* Returns: the numbers of the strokes that meet any square; free with
- *          free(). */
+/* Returns: the numbers of the strokes that meet any square; free with free();
+ *          NULL: all of them may. */
 static uint32_t *
 strokes_in (const Drawing *drawing, const Squares *squares, uint32_t *n)
 {
-  uint32_t *strokes = memory_new (drawing->n_strokes, sizeof *strokes);
+  uint32_t *strokes;
   uint32_t i;
 
+  *n = drawing->n_strokes;
+  if (drawing->n_strokes <= FEW_STROKES)
+    return NULL;
+  strokes = memory_new (drawing->n_strokes, sizeof *strokes);
   *n = 0;
   for (i = 0; i < drawing->n_strokes; i++)
     if (squares_meet (squares, &drawing->strokes[i].box))

@@ -30,25 +30,27 @@ typedef struct Reach {
 } Reach;
 
 static int
-square_at (double px, const Squares *squares, int most)
+square_at (float px, float per_px, int most)
 {
-  const double square = px * squares->per_px;
+  const float square = px * per_px;
 
-  return !(square > 0) ? 0 : square >= most ? most : (int)square;
+  return !(square > 0) ? 0 : square >= (float)most ? most : (int)square;
 }
 
 /* Returns: false when it lies outside the picture. */
 static bool
 reach_of (const Squares *squares, const PixelBox *box, Reach *reach)
 {
+  const float per_px = (float)squares->per_px;
+
   if (box->right <= 0 || box->bottom <= 0
-      || box->left * squares->per_px >= squares->columns
-      || box->top * squares->per_px >= squares->rows)
+      || box->left * per_px >= (float)squares->columns
+      || box->top * per_px >= (float)squares->rows)
     return false;
-  *reach = (Reach){ square_at (box->left, squares, squares->columns - 1),
-                    square_at (box->right, squares, squares->columns - 1),
-                    square_at (box->top, squares, squares->rows - 1),
-                    square_at (box->bottom, squares, squares->rows - 1) };
+  *reach = (Reach){ square_at (box->left, per_px, squares->columns - 1),
+                    square_at (box->right, per_px, squares->columns - 1),
+                    square_at (box->top, per_px, squares->rows - 1),
+                    square_at (box->bottom, per_px, squares->rows - 1) };
   return true;
 }
 

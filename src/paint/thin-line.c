@@ -69,14 +69,36 @@ paint_column (const ThinLine *line, int column, float part)
   }
 }
 
+/* Leaves out columns in which the line lies beside the clip, but for some of
+ * them: rounding must not matter. */
+static void
+narrow (const ThinLine *line, int *first, int *end)
+{
+  const float room = line->half + 1;
+  const float low = ((float)line->low - room - line->at_start) / line->slope;
+  const float high = ((float)line->high + room - line->at_start) / line->slope;
+  const float from = line->start - 2 + (low < high ? low : high);
+  const float to = line->start + 3 + (low < high ? high : low);
+
+  /* A flat line has no such columns, or all are. */
+  if (!(from > -1e9F && to < 1e9F))
+    return;
+  if (from > (float)*first)
+    *first = from < (float)*end ? (int)from : *end;
+  if (to < (float)*end)
+    *end = to > (float)*first ? (int)to : *first;
+}
+
 static void
 paint (const ThinLine *line)
 {
   const int from = floor_of (line->start);
-  const int column = from > line->first ? from : line->first;
+  int column = from > line->first ? from : line->first;
+  int end = line->end;
   int i;
 
-  for (i = column; i < line->end && (float)i < line->stop; i++) {
+  narrow (line, &column, &end);
+  for (i = column; i < end && (float)i < line->stop; i++) {
     const float low = (float)i > line->start ? (float)i : line->start;
     const float high
         = (float)(i + 1) < line->stop ? (float)(i + 1) : line->stop;
