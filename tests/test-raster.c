@@ -326,6 +326,58 @@ test_parts (void)
   }
 }
 
+/* Facets and ridges have other numbers when a site has moved, and yet most of
+ * the picture stays. */
+static cairo_region_t *
+paint_sites (Easel *easel, const Site *sites, guint n, gboolean is_space)
+{
+  static const Order order = { ORDER_FURTHEST, 0 };
+  SiteSet *set = site_set_new (sites, n);
+  Walk walk = { .is_space = is_space, .step = G_MAXUINT };
+  Fixture *fixture = fixture_take (g_strdup ("moved"), set, &order);
+  cairo_region_t *region;
+  Projection projection;
+  Frame frame;
+
+  walk.fixture = fixture;
+  frame_init (&frame, fixture->trace, 0);
+  scene_look_init (&walk.look, &frame);
+  frame_clear (&frame);
+  walk.look.extent = (Extent){ { 0, 0 }, 1 };
+  projection = build (&walk, fixture->trace->n_events);
+  region = easel_paint (easel, &walk.scene, &projection,
+                        theme_get (THEME_LIGHT), 1);
+  scene_clear (&walk.scene);
+  scene_clear (&walk.whole);
+  fixture_free (fixture);
+  return region;
+}
+
+static void
+test_move (void)
+{
+  g_autoptr (GRand) rand = g_rand_new_with_seed (2);
+  Site sites[300];
+
+  for (guint i = 0; i < G_N_ELEMENTS (sites); i++)
+    sites[i] = (Site){ g_rand_double_range (rand, -1, 1),
+                       g_rand_double_range (rand, -1, 1) };
+  for (int is_space = 0; is_space < 2; is_space++) {
+    Easel *easel = easel_new ();
+    cairo_region_t *region;
+
+    sites[7] = (Site){ 0.1, 0.1 };
+    cairo_region_destroy (
+        paint_sites (easel, sites, G_N_ELEMENTS (sites), is_space));
+    sites[7] = (Site){ 0.15, 0.12 };
+    region = paint_sites (easel, sites, G_N_ELEMENTS (sites), is_space);
+    g_assert_cmpuint (area_of (region), >, 0);
+    g_assert_cmpuint (area_of (region), <, 300 * 300 / 8);
+    cairo_region_destroy (region);
+    easel_free (easel);
+  }
+}
+
 /* What did not change is not painted. */
 static void
 test_nothing (void)
@@ -354,6 +406,7 @@ main (int argc, char **argv)
   g_test_add_func ("/easel/a-part-painted-alone-has-the-same-pixels",
                    test_parts);
   g_test_add_func ("/easel/in-a-crowd-as-well", test_crowd);
+  g_test_add_func ("/easel/a-site-that-moves-changes-what-is-near", test_move);
   g_test_add_func ("/easel/what-did-not-change-is-not-painted", test_nothing);
   return g_test_run ();
 }

@@ -117,6 +117,18 @@ uint32_t scene_hue (const SceneBuilder *builder, uint32_t site);
 /* Returns: the scene point of site number @site. */
 Point3 scene_at (const SceneBuilder *builder, uint32_t site, bool lifted);
 
+/* Rows of the frame, and the sites at their corners. */
+typedef const uint32_t *(*SceneCorners) (const SceneBuilder *builder,
+                                         uint32_t row);
+
+/* Returns: the numbers of @n rows with 2 or 3 corners, by their sites; free
+ *          with free(). */
+uint32_t *scene_order (const SceneBuilder *builder,
+                       uint32_t n,
+                       int n_corners,
+                       SceneCorners get_corners);
+uint32_t *scene_order_triangles (const SceneBuilder *builder);
+
 /* The frame of the plane view: the rectangle that it shows. */
 void scene_add_frame (SceneBuilder *builder);
 

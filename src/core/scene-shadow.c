@@ -74,13 +74,26 @@ hold_apex (const SceneBuilder *builder, const uint32_t site[3], Point3 at[3])
                    builder->look->moving);
 }
 
+/* Facets and edges begin at their lowest site, whatever made them:
+ * scene-order.c. */
+static int
+first_corner (const uint32_t site[3])
+{
+  if (site[0] < site[1])
+    return site[0] < site[2] ? 0 : 2;
+  return site[1] < site[2] ? 1 : 2;
+}
+
 SceneItem *
 scene_add_polygon (SceneBuilder *builder,
                    Role role,
                    uint32_t facet,
                    bool lifted)
 {
-  const uint32_t *site = scene_facet_sites (builder, facet);
+  const uint32_t *corner = scene_facet_sites (builder, facet);
+  const int first = first_corner (corner);
+  const uint32_t site[3]
+      = { corner[first], corner[(first + 1) % 3], corner[(first + 2) % 3] };
   Point3 at[3];
   int k;
 
@@ -101,9 +114,11 @@ scene_add_edge (SceneBuilder *builder,
                 const uint32_t site[2],
                 bool lifted)
 {
+  const int first = site[1] < site[0];
+
   scene_add_segment (builder, role, object,
-                     (Point3[2]){ scene_at (builder, site[0], lifted),
-                                  scene_at (builder, site[1], lifted) });
+                     (Point3[2]){ scene_at (builder, site[first], lifted),
+                                  scene_at (builder, site[!first], lifted) });
 }
 
 /* While the first simplex is being made, there is no triangulation yet, only
@@ -145,19 +160,22 @@ scene_add_triangles (SceneBuilder *builder)
 {
   const Delaunay *delaunay = &builder->frame->delaunay;
   const bool has_layer = scene_has_layer (builder, LAYER_DELAUNAY);
+  uint32_t *order;
   uint32_t i;
 
   if (builder->look->mask & MASK_FACING)
     return;
   if (delaunay->n_triangles == 0 && has_layer)
     add_simplex_shadow (builder);
+  order = scene_order_triangles (builder);
   for (i = 0; i < delaunay->n_triangles; i++) {
-    const uint32_t facet = delaunay->triangles[i].facet;
+    const uint32_t facet = delaunay->triangles[order[i]].facet;
     const Role role = triangle_role (builder, facet);
 
     if (has_layer || role != ROLE_TRIANGLE)
       scene_add_polygon (builder, role, facet, false);
   }
+  free (order);
 }
 
 static bool
@@ -186,22 +204,30 @@ edge_role (const SceneBuilder *builder, const DelaunayEdge *edge)
   return ROLE_DELAUNAY_EDGE;
 }
 
+static const uint32_t *
+edge_corners (const SceneBuilder *builder, uint32_t edge)
+{
+  return builder->frame->delaunay.edges[edge].site;
+}
+
 void
 scene_add_delaunay_edges (SceneBuilder *builder)
 {
   const Delaunay *delaunay = &builder->frame->delaunay;
+  uint32_t *order = scene_order (builder, delaunay->n_edges, 2, edge_corners);
   uint32_t i;
 
   for (i = 0; i < delaunay->n_edges; i++) {
-    const DelaunayEdge *edge = &delaunay->edges[i];
+    const DelaunayEdge *edge = &delaunay->edges[order[i]];
     const Role role = edge_role (builder, edge);
 
     if (role == ROLE_VISIBLE_EDGE || role == ROLE_CONE_EDGE
         || scene_has_layer (builder, LAYER_DELAUNAY))
       scene_add_edge (builder, role,
-                      (Object){ OBJECT_RIDGE, builder->ridge_of[i] },
+                      (Object){ OBJECT_RIDGE, builder->ridge_of[order[i]] },
                       edge->site, false);
   }
+  free (order);
 }
 
 static bool

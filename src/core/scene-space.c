@@ -131,6 +131,14 @@ add_sheet (SceneBuilder *builder)
   add_ring (builder, ROLE_RIM, rim);
 }
 
+static const uint32_t *
+facet_corners (const SceneBuilder *builder, uint32_t position)
+{
+  const Frame *frame = builder->frame;
+
+  return frame->trace->facets[frame->facets[position].facet].site;
+}
+
 /* Returns: for each facet of the frame the item of its polygon; free with
  *          free(). */
 static uint32_t *
@@ -138,15 +146,17 @@ add_facets (SceneBuilder *builder)
 {
   const Frame *frame = builder->frame;
   uint32_t *item_of = memory_new (frame->n_facets, sizeof *item_of);
+  uint32_t *order = scene_order (builder, frame->n_facets, 3, facet_corners);
   uint32_t i;
 
   for (i = 0; i < frame->n_facets; i++) {
-    const uint32_t facet = frame->facets[i].facet;
-    const Role role = scene_facet_role (builder, facet, frame->facets[i].roles);
+    const FrameFacet *facet = &frame->facets[order[i]];
+    const Role role = scene_facet_role (builder, facet->facet, facet->roles);
 
-    item_of[i] = builder->scene->n_items;
-    scene_add_polygon (builder, role, facet, true);
+    item_of[order[i]] = builder->scene->n_items;
+    scene_add_polygon (builder, role, facet->facet, true);
   }
+  free (order);
   return item_of;
 }
 
@@ -193,18 +203,28 @@ is_lower (const Frame *frame, uint32_t facet)
   return frame->trace->facets[facet].facing == FACING_LOWER;
 }
 
+static const uint32_t *
+ridge_corners (const SceneBuilder *builder, uint32_t position)
+{
+  const Frame *frame = builder->frame;
+
+  return frame->trace->ridges[frame->ridges[position].ridge].site;
+}
+
 static void
 add_ridges (SceneBuilder *builder, const uint32_t *item_of)
 {
   const Frame *frame = builder->frame;
+  uint32_t *order = scene_order (builder, frame->n_ridges, 2, ridge_corners);
   uint32_t i;
 
   for (i = 0; i < frame->n_ridges; i++) {
-    const uint32_t ridge = frame->ridges[i].ridge;
+    const FrameRidge *place = &frame->ridges[order[i]];
+    const uint32_t ridge = place->ridge;
     const RidgeRow *row = &frame->trace->ridges[ridge];
     SceneItem *item;
 
-    scene_add_edge (builder, ridge_role (builder, &frame->ridges[i]),
+    scene_add_edge (builder, ridge_role (builder, place),
                     (Object){ OBJECT_RIDGE, ridge }, row->site, true);
     item = &builder->scene->items[builder->scene->n_items - 1];
     item->beside[0] = item_of[position_of (frame, row->facet[0])];
@@ -212,6 +232,7 @@ add_ridges (SceneBuilder *builder, const uint32_t *item_of)
     if (!is_lower (frame, row->facet[0]) && !is_lower (frame, row->facet[1]))
       item->fade = 1 - (1 - item->fade) * builder->look->lift;
   }
+  free (order);
 }
 
 /* Ridges come in pairs of facets; while the first simplex is being made, the

@@ -218,22 +218,33 @@ scene_add_cells (SceneDiagram *diagram)
     add_cell (diagram, delaunay->active[i]);
 }
 
+static const uint32_t *
+edge_corners (const SceneBuilder *builder, uint32_t edge)
+{
+  return builder->frame->voronoi.edges[edge].site;
+}
+
 void
 scene_add_voronoi_edges (SceneDiagram *diagram)
 {
   SceneBuilder *builder = diagram->builder;
+  const uint32_t n_edges = diagram->voronoi->n_edges;
+  uint32_t *order = scene_order (builder, n_edges, 2, edge_corners);
   uint32_t i;
 
-  for (i = 0; i < diagram->voronoi->n_edges; i++) {
-    const uint32_t edge = diagram->voronoi->edges[i].edge;
+  for (i = 0; i < n_edges; i++) {
+    const VoronoiEdge *edge = &diagram->voronoi->edges[order[i]];
+    const int first = edge->site[1] < edge->site[0];
     Site ends[2];
 
-    if (voronoi_clip_edge (diagram->voronoi, i, &diagram->box, ends))
-      scene_add_segment (builder, ROLE_VORONOI_EDGE,
-                         (Object){ OBJECT_RIDGE, builder->ridge_of[edge] },
-                         (Point3[2]){ to_scene (diagram, ends[0]),
-                                      to_scene (diagram, ends[1]) });
+    if (voronoi_clip_edge (diagram->voronoi, order[i], &diagram->box, ends))
+      scene_add_segment (
+          builder, ROLE_VORONOI_EDGE,
+          (Object){ OBJECT_RIDGE, builder->ridge_of[edge->edge] },
+          (Point3[2]){ to_scene (diagram, ends[first]),
+                       to_scene (diagram, ends[!first]) });
   }
+  free (order);
 }
 
 static bool
@@ -261,24 +272,38 @@ find_tied (const Voronoi *voronoi)
   return is_tied;
 }
 
+static void
+add_vertex (SceneDiagram *diagram, uint32_t group, bool is_tied)
+{
+  SceneBuilder *builder = diagram->builder;
+  const Point3 at = to_scene (diagram, diagram->voronoi->vertices[group].at);
+  const bool is_dying = builder->frame->is_dying[group];
+
+  if (is_inside (diagram, at)
+      && (is_dying || scene_has_layer (builder, LAYER_VORONOI)))
+    scene_add_mark (builder,
+                    is_dying  ? ROLE_VORONOI_VERTEX_DYING
+                    : is_tied ? ROLE_VORONOI_VERTEX_TIED
+                              : ROLE_VORONOI_VERTEX,
+                    scene_vertex_object (builder, group), at, NULL);
+}
+
+/* In the order of the triangles that stand for them. */
 void
 scene_add_voronoi_vertices (SceneDiagram *diagram)
 {
-  SceneBuilder *builder = diagram->builder;
-  const bool *is_dying = builder->frame->is_dying;
-  bool *is_tied = find_tied (diagram->voronoi);
+  const Voronoi *voronoi = diagram->voronoi;
+  bool *is_tied = find_tied (voronoi);
+  uint32_t *order = scene_order_triangles (diagram->builder);
   uint32_t i;
 
-  for (i = 0; i < diagram->voronoi->n_vertices; i++) {
-    const Point3 at = to_scene (diagram, diagram->voronoi->vertices[i].at);
+  for (i = 0; i < voronoi->delaunay->n_triangles; i++) {
+    const uint32_t group = voronoi->delaunay->triangles[order[i]].group;
 
-    if (is_inside (diagram, at)
-        && (is_dying[i] || scene_has_layer (builder, LAYER_VORONOI)))
-      scene_add_mark (builder,
-                      is_dying[i]  ? ROLE_VORONOI_VERTEX_DYING
-                      : is_tied[i] ? ROLE_VORONOI_VERTEX_TIED
-                                   : ROLE_VORONOI_VERTEX,
-                      scene_vertex_object (builder, i), at, NULL);
+    if (group < voronoi->n_vertices
+        && voronoi->vertices[group].triangle == order[i])
+      add_vertex (diagram, group, is_tied[group]);
   }
+  free (order);
   free (is_tied);
 }

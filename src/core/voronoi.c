@@ -49,6 +49,14 @@ circumcentre (const Site *a, const Site *b, const Site *c)
   return exact_circumcentre (a, b, c);
 }
 
+static int
+lowest_corner (const uint32_t site[3])
+{
+  if (site[0] < site[1])
+    return site[0] < site[2] ? 0 : 2;
+  return site[1] < site[2] ? 1 : 2;
+}
+
 static void
 add_vertices (Voronoi *voronoi)
 {
@@ -67,9 +75,11 @@ add_vertices (Voronoi *voronoi)
   for (i = 0; i < voronoi->n_vertices; i++) {
     VoronoiVertex *vertex = &voronoi->vertices[i];
     const uint32_t *site = delaunay->triangles[vertex->triangle].site;
+    const int k = lowest_corner (site);
 
-    vertex->at
-        = circumcentre (&sites[site[0]], &sites[site[1]], &sites[site[2]]);
+    /* The last bits must not tell which corner happens to be the first. */
+    vertex->at = circumcentre (&sites[site[k]], &sites[site[(k + 1) % 3]],
+                               &sites[site[(k + 2) % 3]]);
   }
 }
 
@@ -131,6 +141,29 @@ add_incident (Voronoi *voronoi)
   voronoi->start = start;
 }
 
+/* Lists them by the sites across: so it does not matter to what is drawn how
+ * edges are numbered. */
+static void
+sort_incident (Voronoi *voronoi)
+{
+  const uint32_t n = voronoi->delaunay->set->n_sites;
+  uint32_t *sorted = memory_new (2 * (size_t)voronoi->n_edges, sizeof *sorted);
+  uint32_t *next = memory_new ((size_t)n + 1, sizeof *next);
+  uint32_t site, i;
+
+  memcpy (next, voronoi->start, n * sizeof *next);
+  for (site = 0; site < n; site++)
+    for (i = voronoi->start[site]; i < voronoi->start[site + 1]; i++) {
+      const uint32_t edge = voronoi->incident[i];
+      const uint32_t *ends = voronoi->edges[edge].site;
+
+      sorted[next[ends[ends[0] == site]]++] = edge;
+    }
+  free (voronoi->incident);
+  free (next);
+  voronoi->incident = sorted;
+}
+
 void
 voronoi_init (Voronoi *voronoi, const Delaunay *delaunay)
 {
@@ -143,6 +176,7 @@ voronoi_init (Voronoi *voronoi, const Delaunay *delaunay)
   for (i = 0; i < delaunay->n_edges; i++)
     add_edge (voronoi, i);
   add_incident (voronoi);
+  sort_incident (voronoi);
 }
 
 void

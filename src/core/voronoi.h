@@ -31,7 +31,8 @@ typedef struct Voronoi {
   uint32_t n_edges;
   uint32_t n_rays;
   uint32_t *incident; /* edges of site s: incident[start[s]] … */
-  uint32_t *start;    /* … incident[start[s + 1] - 1]; n_sites + 1 */
+  uint32_t *start;    /* … incident[start[s + 1] - 1], ascending by the site
+                         across; n_sites + 1 */
 } Voronoi;
 
 void voronoi_init (Voronoi *voronoi, const Delaunay *delaunay);

@@ -17,6 +17,8 @@
 struct Easel {
   Names *names;
   Drawing *stocks[2];
+  SquareSums sums[2];    /* of the stocks … */
+  bool are_summed_up[2]; /* … when this is so */
   LitDrawing *lights[2];
   Drawing *merged;    /* what of both is painted */
   uint64_t edition;   /* of the scene's stock that is drawn as stocks[0] */
@@ -55,6 +57,7 @@ easel_free (Easel *easel)
     return;
   for (i = 0; i < 2; i++) {
     drawing_free (easel->stocks[i]);
+    square_sums_clear (&easel->sums[i]);
     lit_drawing_free (easel->lights[i]);
   }
   drawing_free (easel->merged);
@@ -88,9 +91,14 @@ static void
 draw_stock (Easel *easel, const Scene *scene)
 {
   Drawing *stock = easel->stocks[1];
+  const SquareSums sums = easel->sums[1];
 
   easel->stocks[1] = easel->stocks[0];
   easel->stocks[0] = stock;
+  easel->sums[1] = easel->sums[0];
+  easel->sums[0] = sums;
+  easel->are_summed_up[1] = easel->are_summed_up[0];
+  easel->are_summed_up[0] = false;
   drawing_set_stock (stock, scene, &easel->projection, &easel->theme);
   easel->edition = scene->stock.edition;
   easel->are_boxes_set = false;
@@ -129,17 +137,18 @@ is_same_size (const Easel *easel, double scale)
 static uint32_t *
 find_strokes (Easel *easel, const Squares *squares, uint32_t *n)
 {
-  const float side = (float)(1 / squares->per_px);
+  const SquareGrid *grid = &squares->grid;
+  const float side = (float)(1 / grid->per_px);
   uint32_t *strokes = memory_new (easel->stocks[0]->n_strokes, sizeof *strokes);
   uint32_t i;
   int row, column;
 
-  for (row = 0; row < squares->rows; row++)
-    for (column = 0; column < squares->columns; column++) {
+  for (row = 0; row < grid->rows; row++)
+    for (column = 0; column < grid->columns; column++) {
       const float left = (float)column * side, top = (float)row * side;
       const PixelBox box = { left, top, left + side, top + side };
 
-      if (squares->is_marked[row * squares->columns + column])
+      if (squares->is_marked[row * grid->columns + column])
         box_index_find (easel->boxes, &box);
     }
   *n = 0;
@@ -173,8 +182,22 @@ paint_squares (Easel *easel, const Scene *scene, const Squares *squares)
 static void
 init_squares (const Easel *easel, int side, Squares *squares)
 {
-  squares_init (squares, easel->stocks[0]->width, easel->stocks[0]->height,
-                easel->scale, side);
+  const SquareGrid grid = square_grid_of (
+      easel->stocks[0]->width, easel->stocks[0]->height, easel->scale, side);
+
+  squares_init (squares, &grid);
+}
+
+static void
+sum_up (Easel *easel, int i)
+{
+  const Drawing *stock = easel->stocks[i];
+  const SquareGrid grid
+      = square_grid_of (stock->width, stock->height, easel->scale, SQUARE);
+
+  if (!easel->are_summed_up[i])
+    square_sums_set (&easel->sums[i], &grid, stock);
+  easel->are_summed_up[i] = true;
 }
 
 /* Another stock is shown; what of it is lit is not kept. */
@@ -221,7 +244,9 @@ paint_stock_changes (Easel *easel, const Scene *scene)
   Squares squares;
 
   init_squares (easel, SQUARE, &squares);
-  drawing_compare (easel->stocks[1], easel->stocks[0], &squares);
+  sum_up (easel, 0);
+  sum_up (easel, 1);
+  square_sums_compare (&easel->sums[1], &easel->sums[0], &squares);
   lit_drawing_compare (easel->lights[1], easel->lights[0], &squares);
   paint_squares (easel, scene, &squares);
   begin_underlay (easel);

@@ -5,17 +5,21 @@
 #include <math.h>
 #include <stdlib.h>
 
-void
-squares_init (
-    Squares *squares, double width, double height, double scale, int side)
+SquareGrid
+square_grid_of (double width, double height, double scale, int side)
 {
-  squares->side = side;
-  squares->per_px = scale / side;
-  squares->columns = (int)ceil (width * squares->per_px);
-  squares->rows = (int)ceil (height * squares->per_px);
-  squares->is_marked
-      = memory_new ((size_t)squares->columns * (size_t)squares->rows,
-                    sizeof *squares->is_marked);
+  const double per_px = scale / side;
+
+  return (SquareGrid){ side, (int)ceil (width * per_px),
+                       (int)ceil (height * per_px), per_px };
+}
+
+void
+squares_init (Squares *squares, const SquareGrid *grid)
+{
+  squares->grid = *grid;
+  squares->is_marked = memory_new ((size_t)grid->columns * (size_t)grid->rows,
+                                   sizeof *squares->is_marked);
 }
 
 void
@@ -39,18 +43,18 @@ square_at (float px, float per_px, int most)
 
 /* Returns: false when it lies outside the picture. */
 static bool
-reach_of (const Squares *squares, const PixelBox *box, Reach *reach)
+reach_of (const SquareGrid *grid, const PixelBox *box, Reach *reach)
 {
-  const float per_px = (float)squares->per_px;
+  const float per_px = (float)grid->per_px;
 
   if (box->right <= 0 || box->bottom <= 0
-      || box->left * per_px >= (float)squares->columns
-      || box->top * per_px >= (float)squares->rows)
+      || box->left * per_px >= (float)grid->columns
+      || box->top * per_px >= (float)grid->rows)
     return false;
-  *reach = (Reach){ square_at (box->left, per_px, squares->columns - 1),
-                    square_at (box->right, per_px, squares->columns - 1),
-                    square_at (box->top, per_px, squares->rows - 1),
-                    square_at (box->bottom, per_px, squares->rows - 1) };
+  *reach = (Reach){ square_at (box->left, per_px, grid->columns - 1),
+                    square_at (box->right, per_px, grid->columns - 1),
+                    square_at (box->top, per_px, grid->rows - 1),
+                    square_at (box->bottom, per_px, grid->rows - 1) };
   return true;
 }
 
@@ -60,11 +64,11 @@ squares_mark (Squares *squares, const PixelBox *box)
   Reach reach;
   int row, column;
 
-  if (!reach_of (squares, box, &reach))
+  if (!reach_of (&squares->grid, box, &reach))
     return;
   for (row = reach.top; row <= reach.bottom; row++)
     for (column = reach.left; column <= reach.right; column++)
-      squares->is_marked[row * squares->columns + column] = true;
+      squares->is_marked[row * squares->grid.columns + column] = true;
 }
 
 bool
@@ -73,21 +77,55 @@ squares_meet (const Squares *squares, const PixelBox *box)
   Reach reach;
   int row, column;
 
-  if (!reach_of (squares, box, &reach))
+  if (!reach_of (&squares->grid, box, &reach))
     return false;
   for (row = reach.top; row <= reach.bottom; row++)
     for (column = reach.left; column <= reach.right; column++)
-      if (squares->is_marked[row * squares->columns + column])
+      if (squares->is_marked[row * squares->grid.columns + column])
         return true;
   return false;
 }
 
-/* Marks along a segment, @reach px to all sides of it. */
+void
+square_sums_add (SquareSums *sums, const PixelBox *box, uint64_t mark)
+{
+  Reach reach;
+  int row, column;
+
+  if (!reach_of (&sums->grid, box, &reach))
+    return;
+  for (row = reach.top; row <= reach.bottom; row++)
+    for (column = reach.left; column <= reach.right; column++) {
+      uint64_t *sum = &sums->sums[row * sums->grid.columns + column];
+
+      *sum = (*sum ^ mark) * 0x9fb21c651e98df25U;
+      *sum ^= *sum >> 32;
+    }
+}
+
+/* Who is told of the boxes that a stroke is painted on. */
+typedef struct Listener {
+  const SquareGrid *grid;
+  Squares *squares; /* to mark in; or NULL: */
+  SquareSums *sums; /* to add to */
+  uint64_t mark;
+} Listener;
+
 static void
-mark_segment (Squares *squares, const Pixel ends[2], double reach)
+tell (const Listener *listener, const PixelBox *box)
+{
+  if (listener->squares != NULL)
+    squares_mark (listener->squares, box);
+  else
+    square_sums_add (listener->sums, box, listener->mark);
+}
+
+/* Tells of boxes along a segment, @reach px to all sides of it. */
+static void
+tell_segment (const Listener *listener, const Pixel ends[2], double reach)
 {
   const double dx = ends[1].x - ends[0].x, dy = ends[1].y - ends[0].y;
-  const double length = fmax (fabs (dx), fabs (dy)) * squares->per_px;
+  const double length = fmax (fabs (dx), fabs (dy)) * listener->grid->per_px;
   const int n = (int)ceil (fmax (length, 1));
   int i;
 
@@ -100,8 +138,38 @@ mark_segment (Squares *squares, const Pixel ends[2], double reach)
                            (float)(fmax (x[0], x[1]) + reach),
                            (float)(fmax (y[0], y[1]) + reach) };
 
-    squares_mark (squares, &box);
+    tell (listener, &box);
   }
+}
+
+/* A line that runs straight along the squares meets none beside it. */
+static bool
+is_slim (const SquareGrid *grid, const Stroke *stroke)
+{
+  const float width = stroke->box.right - stroke->box.left;
+  const float height = stroke->box.bottom - stroke->box.top;
+
+  return (width < height ? width : height) * (float)grid->per_px < 1;
+}
+
+static void
+tell_stroke (const Listener *listener,
+             const Drawing *drawing,
+             const Stroke *stroke)
+{
+  const Pixel *pixels = &drawing->pixels[stroke->first];
+  const bool is_line
+      = stroke->kind == STROKE_LINE || stroke->kind == STROKE_CASING;
+  double reach;
+  uint32_t i;
+
+  if (!is_line || stroke->n < 2 || is_slim (listener->grid, stroke)) {
+    tell (listener, &stroke->box);
+    return;
+  }
+  reach = stroke_reach (drawing, stroke);
+  for (i = 0; i + 1 < stroke->n; i++)
+    tell_segment (listener, &pixels[i], reach);
 }
 
 void
@@ -109,36 +177,40 @@ squares_mark_stroke (Squares *squares,
                      const Drawing *drawing,
                      const Stroke *stroke)
 {
-  const Pixel *pixels = &drawing->pixels[stroke->first];
-  const double reach = stroke_reach (drawing, stroke);
-  uint32_t i;
+  const Listener listener = { .grid = &squares->grid, .squares = squares };
 
-  if ((stroke->kind != STROKE_LINE && stroke->kind != STROKE_CASING)
-      || stroke->n < 2) {
-    squares_mark (squares, &stroke->box);
-    return;
-  }
-  for (i = 0; i + 1 < stroke->n; i++)
-    mark_segment (squares, &pixels[i], reach);
+  tell_stroke (&listener, drawing, stroke);
+}
+
+void
+square_sums_add_stroke (SquareSums *sums,
+                        const Drawing *drawing,
+                        const Stroke *stroke,
+                        uint64_t mark)
+{
+  const Listener listener = { .grid = &sums->grid, .sums = sums, .mark = mark };
+
+  tell_stroke (&listener, drawing, stroke);
 }
 
 cairo_region_t *
 squares_region (const Squares *squares)
 {
+  const SquareGrid *grid = &squares->grid;
   cairo_region_t *region = cairo_region_create ();
   int row, column, end;
 
-  for (row = 0; row < squares->rows; row++)
-    for (column = 0; column < squares->columns; column = end + 1) {
-      const bool *marked = &squares->is_marked[row * squares->columns];
-      cairo_rectangle_int_t part = { 0, row * squares->side, 0, squares->side };
+  for (row = 0; row < grid->rows; row++)
+    for (column = 0; column < grid->columns; column = end + 1) {
+      const bool *marked = &squares->is_marked[row * grid->columns];
+      cairo_rectangle_int_t part = { 0, row * grid->side, 0, grid->side };
 
-      while (column < squares->columns && !marked[column])
+      while (column < grid->columns && !marked[column])
         column++;
-      for (end = column; end < squares->columns && marked[end]; end++)
+      for (end = column; end < grid->columns && marked[end]; end++)
         continue;
-      part.x = column * squares->side;
-      part.width = (end - column) * squares->side;
+      part.x = column * grid->side;
+      part.width = (end - column) * grid->side;
       if (part.width > 0)
         cairo_region_union_rectangle (region, &part);
     }

@@ -1,4 +1,5 @@
-/* Squares of a picture that are to be painted. */
+/* Pictures divided into squares: which of them are to be painted, and what
+ * lies in each. */
 #ifndef SQUARES_H
 #define SQUARES_H
 
@@ -7,16 +8,22 @@
 
 #include <cairo.h>
 
-typedef struct Squares {
-  int side; /* of each, device pixels */
+typedef struct SquareGrid {
+  int side; /* of a square, device pixels */
   int columns, rows;
   double per_px; /* squares per px */
+} SquareGrid;
+
+/* @scale device pixels to a px. */
+SquareGrid square_grid_of (double width, double height, double scale, int side);
+
+/* Squares that are marked. */
+typedef struct Squares {
+  SquareGrid grid;
   bool *is_marked;
 } Squares;
 
-/* A picture of this size, @scale device pixels to a px. None is marked. */
-void squares_init (
-    Squares *squares, double width, double height, double scale, int side);
+void squares_init (Squares *squares, const SquareGrid *grid);
 void squares_clear (Squares *squares);
 
 /* Marks those that meet a box; that a stroke is painted on. Long lines do not
@@ -26,15 +33,42 @@ void squares_mark_stroke (Squares *squares,
                           const Drawing *drawing,
                           const Stroke *stroke);
 
-/* Marks where two drawings of one size and theme differ; elsewhere they have
- * the same pixels. Their names must be of the same Names. */
-void
-drawing_compare (const Drawing *before, const Drawing *after, Squares *squares);
-
 /* Returns: whether a box meets any that is marked. */
 bool squares_meet (const Squares *squares, const PixelBox *box);
 
 /* Returns: (transfer full): what is marked, in device pixels. */
 cairo_region_t *squares_region (const Squares *squares);
+
+/* For each square a sum over the strokes and names that lie in it, in their
+ * order. Where two drawings have equal sums, they have the same pixels. */
+typedef struct SquareSums {
+  SquareGrid grid;
+  uint64_t *sums;
+  uint32_t sums_room;
+} SquareSums;
+
+/* Sums up @drawing; the room of the last one is used again. Sums of two
+ * drawings mean the same when their names are of one edition. */
+void square_sums_set (SquareSums *sums,
+                      const SquareGrid *grid,
+                      const Drawing *drawing);
+void square_sums_clear (SquareSums *sums);
+
+/* Marks in @squares where two drawings differ; all of one grid. */
+void square_sums_compare (const SquareSums *before,
+                          const SquareSums *after,
+                          Squares *squares);
+
+/* The same of drawings that are not summed up yet. */
+void
+drawing_compare (const Drawing *before, const Drawing *after, Squares *squares);
+
+/* For drawing-diff.c: adds @mark to the sums of the squares that meet a box;
+ * that a stroke is painted on. */
+void square_sums_add (SquareSums *sums, const PixelBox *box, uint64_t mark);
+void square_sums_add_stroke (SquareSums *sums,
+                             const Drawing *drawing,
+                             const Stroke *stroke,
+                             uint64_t mark);
 
 #endif

@@ -57,7 +57,7 @@ underlay_begin (Underlay *underlay,
         CAIRO_FORMAT_RGB24, cairo_image_surface_get_width (picture),
         cairo_image_surface_get_height (picture));
   }
-  underlay->n_squares = (uint32_t)(lit->columns * lit->rows);
+  underlay->n_squares = (uint32_t)(lit->grid.columns * lit->grid.rows);
   if (underlay->n_squares > underlay->shown_room)
     underlay->shown = memory_grow (underlay->shown, &underlay->shown_room,
                                    underlay->n_squares, sizeof (Shown));
@@ -69,21 +69,21 @@ underlay_begin (Underlay *underlay,
 static void
 copy_square (cairo_surface_t *from,
              cairo_surface_t *to,
-             const Squares *squares,
+             const SquareGrid *grid,
              int number)
 {
-  const int x = number % squares->columns * squares->side;
-  const int y = number / squares->columns * squares->side;
+  const int x = number % grid->columns * grid->side;
+  const int y = number / grid->columns * grid->side;
   const int stride = cairo_image_surface_get_stride (from);
   const int width = cairo_image_surface_get_width (from) - x;
   const int height = cairo_image_surface_get_height (from) - y;
-  const size_t n = 4 * (size_t)(width < squares->side ? width : squares->side);
+  const size_t n = 4 * (size_t)(width < grid->side ? width : grid->side);
   const size_t first = (size_t)y * (size_t)stride + 4 * (size_t)x;
   const unsigned char *source = cairo_image_surface_get_data (from) + first;
   unsigned char *target = cairo_image_surface_get_data (to) + first;
   int row;
 
-  for (row = 0; row < squares->side && row < height; row++)
+  for (row = 0; row < grid->side && row < height; row++)
     memcpy (target + row * stride, source + row * stride, n);
 }
 
@@ -103,11 +103,11 @@ underlay_move (Underlay *underlay,
     if (!changed->is_marked[i])
       continue;
     if (lit->is_marked[i] && *shown == SHOWN_STOCK) {
-      copy_square (picture, underlay->kept, changed, i);
+      copy_square (picture, underlay->kept, &changed->grid, i);
       *shown = SHOWN_LIGHT_OVER_KEPT;
     } else if (!lit->is_marked[i]) {
       if (*shown == SHOWN_LIGHT_OVER_KEPT) {
-        copy_square (underlay->kept, picture, changed, i);
+        copy_square (underlay->kept, picture, &changed->grid, i);
         changed->is_marked[i] = false;
       }
       *shown = SHOWN_STOCK;
