@@ -145,6 +145,15 @@ def check_names(language):
             r"\b[sfvre][0-9]+\b|[sfvre]%u|\{\w\}", text))))
 
 
+def check_numbers(language):
+    """Numbers are those of the original, with a decimal point."""
+    return differing(
+        language, "numbers",
+        lambda text: sorted(re.findall(
+            r"(?<![\w%.-])[0-9]+(?:[.,][0-9]+)*(?![\w]|\.º)",
+            re.sub(r"%\S+", " ", text))))
+
+
 def check_emphasis(language):
     """As many words stressed, in bold and in italics."""
     return differing(
@@ -198,6 +207,7 @@ CHECKS = [
     ("formats-and-plurals-are-sound", check_formats),
     ("code-is-not-translated", check_code),
     ("names-of-objects-are-the-same", check_names),
+    ("numbers-are-the-same", check_numbers),
     ("emphasis-is-kept", check_emphasis),
     ("mnemonics-are-kept", check_mnemonics),
     ("loud-words-are-in-the-sentences", check_narration),

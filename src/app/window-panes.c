@@ -33,20 +33,23 @@ show_panes (Hull2vdWindow *window)
 static char *
 cost_text (const InsertionCost *cost)
 {
-  const double mean
-      = cost->n_cones == 0 ? 0 : (double)cost->cone_facets / cost->n_cones;
+  char mean[G_ASCII_DTOSTR_BUF_SIZE], expected[G_ASCII_DTOSTR_BUF_SIZE];
 
   if (cost->n_cones == 0)
     return g_strdup_printf (_ ("created %u · seen %u · handed over %u"),
                             cost->facets_created, cost->facets_seen,
                             cost->redistributions);
+  /* The same in every language, as in the pictures. */
+  g_ascii_formatd (mean, sizeof mean, "%.2f",
+                   (double)cost->cone_facets / cost->n_cones);
+  g_ascii_formatd (expected, sizeof expected, "%.2f", cost->expected_cone);
   /* Translators: facets created and seen, sites handed over, and the mean size
      of a cone beside that in a random order. */
   return g_strdup_printf (
-      _ ("created %u · seen %u · handed over %u · mean cone %.2f (random "
-         "order: %.2f)"),
+      _ ("created %u · seen %u · handed over %u · mean cone %s (random "
+         "order: %s)"),
       cost->facets_created, cost->facets_seen, cost->redistributions, mean,
-      cost->expected_cone);
+      expected);
 }
 
 static void

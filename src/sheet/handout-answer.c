@@ -2,6 +2,7 @@
 
 #include "form.h"
 #include "handout-perform.h"
+#include "number.h"
 #include "question-bank.h"
 
 #include <glib/gi18n.h>
@@ -114,13 +115,15 @@ static void
 add_sites (const Key *key)
 {
   const guint site = key->stop->question->site;
+  char x[NUMBER_ROOM], y[NUMBER_ROOM];
   g_autofree char *words = NULL;
 
   if (!key->answer->is_found)
     return;
-  words = g_strdup_printf (_ ("for example s%u at (%g, %g), as shown"), site,
-                           key->answer->sites[site].x,
-                           key->answer->sites[site].y);
+  number_write (key->answer->sites[site].x, x);
+  number_write (key->answer->sites[site].y, y);
+  words = g_strdup_printf (_ ("for example s%u at (%s, %s), as shown"), site, x,
+                           y);
   add_told (key, words);
 }
 

@@ -180,9 +180,19 @@ add_both (GPtrArray *laws, const char *key, const char *name, guint a, guint b)
   laws_add (laws, key, name, _ ("%u | %u"), a, b);
 }
 
+#define DECIMALS_ROOM G_ASCII_DTOSTR_BUF_SIZE
+
+/* The same in every language, as in the pictures. */
+static void
+write_decimals (double number, char text[DECIMALS_ROOM])
+{
+  g_ascii_formatd (text, DECIMALS_ROOM, "%.2f", number);
+}
+
 GPtrArray *
 session_compare_laws (Session *session)
 {
+  char left[DECIMALS_ROOM], right[DECIMALS_ROOM];
   const InsertionCost a = session_get_cost (session, 0);
   const InsertionCost b = session_get_cost (session, 1);
   GPtrArray *laws = laws_new ();
@@ -198,11 +208,12 @@ session_compare_laws (Session *session)
             b.redistributions);
   if (a.n_cones == 0)
     return laws;
-  laws_add (laws, "cone-mean", _ ("mean cone"), "%.2f | %.2f",
-            (double)a.cone_facets / a.n_cones,
-            b.n_cones == 0 ? 0.0 : (double)b.cone_facets / b.n_cones);
-  laws_add (laws, "cone-expected", _ ("random order: 6 − 12/k"), "%.2f",
-            a.expected_cone);
+  write_decimals ((double)a.cone_facets / a.n_cones, left);
+  write_decimals (b.n_cones == 0 ? 0 : (double)b.cone_facets / b.n_cones,
+                  right);
+  laws_add (laws, "cone-mean", _ ("mean cone"), "%s | %s", left, right);
+  write_decimals (a.expected_cone, left);
+  laws_add (laws, "cone-expected", _ ("random order: 6 − 12/k"), "%s", left);
   return laws;
 }
 
