@@ -7,18 +7,21 @@
 #define BETWEEN 5.0
 #define BETWEEN_ITEMS 2.0
 
-static TextStyle
-style_of (const ProseBlock *row, TextStyle style)
+static Block *
+block_of (const Press *press,
+          TextStyle style,
+          const ProseBlock *row,
+          double width)
 {
   switch (row->kind) {
   case PROSE_PARAGRAPH:
-    return style;
+    break;
   case PROSE_HEADING:
-    return TEXT_LABEL;
+    return block_text (press, TEXT_LABEL, width, row->markup);
   case PROSE_CODE:
-    return TEXT_CODE;
+    return block_code (press, width, row->markup);
   }
-  return style;
+  return block_text (press, style, width, row->markup);
 }
 
 /* A block beside its marker, or beside the room of one. */
@@ -37,8 +40,7 @@ hang (const Press *press, TextStyle style, const ProseBlock *row, double width)
     block_add (columns, row->marker != NULL
                             ? block_text (press, style, marker, row->marker)
                             : block_stack (marker));
-  block_add (columns, block_text (press, style_of (row, style),
-                                  width - indent - marker, row->markup));
+  block_add (columns, block_of (press, style, row, width - indent - marker));
   return columns;
 }
 
@@ -54,9 +56,8 @@ block_prose (const Press *press,
   for (guint i = 0; i < rows->len; i++) {
     const ProseBlock *row = g_ptr_array_index (rows, i);
     const gboolean hangs = row->depth > 0 || row->kind == PROSE_CODE;
-    Block *block
-        = hangs ? hang (press, style, row, width)
-                : block_text (press, style_of (row, style), width, row->markup);
+    Block *block = hangs ? hang (press, style, row, width)
+                         : block_of (press, style, row, width);
 
     block->keeps = row->kind == PROSE_HEADING;
     block_add_below (stack, block,

@@ -11,6 +11,9 @@
 /* Nobody reads a first or last line that stands alone. */
 #define LEAST_LINES 2
 
+/* So small code may be beside other code. */
+#define LEAST_CODE 0.78
+
 typedef struct Letters {
   const char *family;
   double size, leading; /* pt; of lines, as a factor */
@@ -134,6 +137,18 @@ block_word (const Press *press, TextStyle style, const char *markup)
 
   pango_layout_get_size (layout, &width, NULL);
   return text_new (layout, (double)width / PANGO_SCALE);
+}
+
+Block *
+block_code (const Press *press, double width, const char *markup)
+{
+  g_autoptr (Block) line = block_word (press, TEXT_CODE, markup);
+  const Press smaller
+      = { press->context,
+          press->scale * CLAMP (width / line->width, LEAST_CODE, 1) };
+
+  return block_text (line->width > width ? &smaller : press, TEXT_CODE, width,
+                     markup);
 }
 
 /* Parting and painting */

@@ -79,6 +79,10 @@ Block *block_text (const Press *press,
                    double width,
                    const char *markup);
 
+/* Code, whose lines should not be broken: smaller where that helps, down to
+ * three quarters. */
+Block *block_code (const Press *press, double width, const char *markup);
+
 /* A text as wide as its words, on one line. */
 Block *block_word (const Press *press, TextStyle style, const char *markup);
 

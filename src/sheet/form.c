@@ -2,6 +2,8 @@
 
 #define BOX 7.5
 #define BOX_COLUMN 14.0
+#define ROOMY_BOX 13.0
+#define ROOMY_COLUMN 20.0
 #define LINE_APART 19.0
 #define LINE_WIDTH 0.5
 #define NUMBER_WIDTH 44.0 /* of a line to write a number upon */
@@ -20,7 +22,8 @@ static void
 draw_box (cairo_t *cr, double width, double height, gpointer data)
 {
   const FormMark mark = (FormMark)GPOINTER_TO_UINT (data);
-  const double x = 0.5, y = (height - BOX) / 2;
+  const double side = mark == FORM_ROOMY ? ROOMY_BOX : BOX;
+  const double x = 0.5, y = (height - side) / 2;
 
   (void)width;
   cairo_set_line_width (cr, 0.7);
@@ -30,7 +33,7 @@ draw_box (cairo_t *cr, double width, double height, gpointer data)
     cairo_fill (cr);
     return;
   }
-  cairo_rectangle (cr, x, y, BOX, BOX);
+  cairo_rectangle (cr, x, y, side, side);
   cairo_stroke (cr);
   if (mark != FORM_CROSSED)
     return;
@@ -48,13 +51,13 @@ form_choice (const Press *press,
              const char *markup,
              FormMark mark)
 {
+  const double column = mark == FORM_ROOMY ? ROOMY_COLUMN : BOX_COLUMN;
   g_autoptr (Block) line = block_word (press, TEXT_BODY, "x");
   Block *columns = block_columns (0);
 
-  block_add (columns, block_drawing (BOX_COLUMN, line->height, draw_box,
+  block_add (columns, block_drawing (column, line->height, draw_box,
                                      GUINT_TO_POINTER (mark), NULL));
-  block_add (columns,
-             block_text (press, TEXT_BODY, width - BOX_COLUMN, markup));
+  block_add (columns, block_text (press, TEXT_BODY, width - column, markup));
   return columns;
 }
 

@@ -9,6 +9,7 @@ G_BEGIN_DECLS
 typedef enum FormMark {
   FORM_EMPTY,
   FORM_CROSSED,
+  FORM_ROOMY, /* to write a number into */
   FORM_SOLID, /* a round dot: of what is only listed */
 } FormMark;
 

@@ -24,6 +24,7 @@ struct Handout {
   Pages *pages;
   double width;      /* of a page's blocks */
   gboolean has_part; /* some part is set already */
+  Listing listing;   /* of the last stop that was set */
 };
 
 /* Parts; each adds its blocks to the pages. */

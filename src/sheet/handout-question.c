@@ -9,7 +9,7 @@
 #include <glib/gi18n.h>
 
 #define FIELD_HEIGHT 90.0
-#define CODE_INDENT 12.0
+#define CODE_BLANKS 2 /* for each level of a listing */
 #define ROW_GAP 4.0
 
 static const LessonStop *
@@ -64,7 +64,7 @@ add_choice (const Room *room, Object item, FormMark mark)
   block_add_below (
       room->stack,
       form_choice (&room->handout->press, room->stack->width, markup, mark),
-      ROW_GAP);
+      mark == FORM_ROOMY ? 2 * ROW_GAP : ROW_GAP);
 }
 
 static void
@@ -114,7 +114,7 @@ add_order (const Room *room)
 
   add_small (room, _ ("Number them."));
   for (guint i = 0; i < items->len; i++)
-    add_choice (room, g_array_index (items, Object, i), FORM_EMPTY);
+    add_choice (room, g_array_index (items, Object, i), FORM_ROOMY);
 }
 
 static void
@@ -187,31 +187,40 @@ handout_question (const Handout *handout,
 
 /* Listings */
 
+/* Lines as one text, so that all are of one size; blanks stand for levels. */
+static char *
+listing_markup (Session *session)
+{
+  guint n_lines;
+  const PseudocodeLine *lines = session_get_lines (session, &n_lines);
+  GString *text = g_string_new (NULL);
+
+  for (guint i = 0; i < n_lines; i++) {
+    g_autofree char *words = g_markup_escape_text (_ (lines[i].text), -1);
+
+    g_string_append_printf (text, "%s%*s%s", i == 0 ? "" : "\n",
+                            CODE_BLANKS * lines[i].indent, "", words);
+  }
+  return g_string_free (text, FALSE);
+}
+
 Block *
 handout_listing (const Handout *handout, double width)
 {
   Session *session = handout->session;
+  g_autofree char *markup = NULL;
   Block *frame;
-  guint n_lines;
-  const PseudocodeLine *lines = session_get_lines (session, &n_lines);
 
   if (session_get_listing (session) == LISTING_QUICKHULL
       || session_get_exhibit_kind (session) != EXHIBIT_LIFTS)
     return NULL;
+  markup = listing_markup (session);
   frame = block_frame (width, PART_GAP);
   block_add (frame,
              handout_words (handout, TEXT_LABEL, block_inner_width (frame),
                             _ (session_get_listing_title (session))));
-  for (guint i = 0; i < n_lines; i++) {
-    const double indent = CODE_INDENT * lines[i].indent;
-    Block *columns = block_columns (0);
-
-    if (indent > 0)
-      block_add (columns, block_stack (indent));
-    block_add (columns, handout_words (handout, TEXT_CODE,
-                                       block_inner_width (frame) - indent,
-                                       _ (lines[i].text)));
-    block_add_below (frame, columns, i == 0 ? 3 : 0);
-  }
+  block_add_below (
+      frame, block_code (&handout->press, block_inner_width (frame), markup),
+      3);
   return frame;
 }

@@ -151,24 +151,23 @@ add_event (const Print *print, Block *stack, double width)
 }
 
 /* A listing is printed where it comes up. */
-static gboolean
-is_listed_before (const Print *print)
+static Block *
+new_listing (Handout *handout, double width)
 {
-  const Lesson *lesson = print->handout->lesson;
+  const Listing listing = session_get_listing (handout->session);
+  const gboolean is_new = listing != handout->listing;
 
-  return print->stop > 0
-         && lesson_stop (lesson, print->stop)->state->listing
-                == lesson_stop (lesson, print->stop - 1)->state->listing;
+  handout->listing = listing;
+  return is_new ? handout_listing (handout, width) : NULL;
 }
 
 static Block *
 left_column (const Print *print, double width)
 {
-  const Handout *handout = print->handout;
+  Handout *handout = print->handout;
   Block *stack = block_stack (width);
   Block *titles = pane_titles (handout, width);
-  Block *listing
-      = is_listed_before (print) ? NULL : handout_listing (handout, width);
+  Block *listing = new_listing (handout, width);
 
   block_add (stack, moment_block (&print->moment, MOMENT_VIEWS,
                                   &handout->options.appearance, width,
@@ -229,6 +228,8 @@ heading (const Handout *handout, guint stop)
   Block *minutes = handout_words (handout, TEXT_SMALL, TIME_WIDTH, time);
 
   words->tag = "H2";
+  if (handout->options.has_key && handout_asks (handout, stop))
+    words->link = handout_key_name (stop);
   pango_layout_set_alignment (minutes->layout, PANGO_ALIGN_RIGHT);
   block_add (columns, words);
   block_add (columns, minutes);
