@@ -265,7 +265,8 @@ static void
 test_nothing_is_cut_off_in_dialogs (void)
 {
   static const char *const actions[]
-      = { "generate", "export-picture", "shortcuts", "about" };
+      = { "generate", "export-picture", "handout", "export-results",
+          "record",   "shortcuts",      "about" };
   GPtrArray *faults = g_ptr_array_new_with_free_func (g_free);
 
   for (guint i = 0; i < G_N_ELEMENTS (actions); i++)
