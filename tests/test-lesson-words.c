@@ -299,6 +299,19 @@ test_a_lesson_in_no_catalog_is_not_written (void)
       lesson_words_write (text, strlen (text), "l.md", mark_small_words));
 }
 
+static const char *
+break_prompts (const char *words)
+{
+  return strchr (words, '?') != NULL ? "What?\nAnd why?" : mark (words);
+}
+
+static void
+test_what_is_no_lesson_any_more_is_not_written (void)
+{
+  g_assert_null (
+      lesson_words_write (text, strlen (text), "l.md", break_prompts));
+}
+
 int
 main (int argc, char **argv)
 {
@@ -321,5 +334,7 @@ main (int argc, char **argv)
                    test_a_lesson_is_written_in_another_language);
   g_test_add_func ("/lesson-words/a-lesson-in-no-catalog-is-not-written",
                    test_a_lesson_in_no_catalog_is_not_written);
+  g_test_add_func ("/lesson-words/what-is-no-lesson-any-more-is-not-written",
+                   test_what_is_no_lesson_any_more_is_not_written);
   return g_test_run ();
 }

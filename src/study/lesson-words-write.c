@@ -135,6 +135,14 @@ write_source (const LessonSource *source, ProseTranslate translate)
   return g_string_free (writer.text, FALSE);
 }
 
+static gboolean
+is_lesson (const char *text, const char *path)
+{
+  g_autoptr (Lesson) lesson = lesson_parse (text, strlen (text), path, NULL);
+
+  return lesson != NULL;
+}
+
 char *
 lesson_words_write (const char *text,
                     gsize length,
@@ -143,9 +151,14 @@ lesson_words_write (const char *text,
 {
   g_autoptr (LessonSource) source = NULL;
   g_autoptr (Lesson) lesson = lesson_parse (text, length, path, NULL);
+  g_autofree char *written = NULL;
 
   if (lesson == NULL || translate (lesson->title) == NULL)
     return NULL;
   source = lesson_source_new (text, length, path, NULL);
-  return source != NULL ? write_source (source, translate) : NULL;
+  if (source != NULL)
+    written = write_source (source, translate);
+  return written != NULL && is_lesson (written, path)
+             ? g_steal_pointer (&written)
+             : NULL;
 }

@@ -31,7 +31,7 @@ Lesson *lesson_words_load (const char *path, GError **error);
  * it: commands as they were, byte by byte.
  *
  * Returns: (transfer full): the text of its file, or NULL when its title has
- *          no translation, or it cannot be read. */
+ *          no translation, or what was written is no lesson. */
 char *lesson_words_write (const char *text,
                           gsize length,
                           const char *path,
