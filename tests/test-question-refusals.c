@@ -161,8 +161,8 @@ static const Row leaks[] = {
     "l.md:10:1: this gives the answer away" },
   { LECTURE "## S\n\n```steps\ngoto round 1 see\n```\n\n## T\n\n"
             "```ask\nbefore round 1 see\nclick visible-facets\n```\n",
-    "l.md:16:1: this gives the answer away: the lesson has shown these sites "
-    "beyond “before round 1 see”" },
+    "l.md:16:1: this gives the answer away: the stop of line 8 has shown these "
+    "sites beyond “before round 1 see”" },
   { LECTURE "## S\n\n```steps\ngoto complete\n```\n\n"
             "## T\n\n```steps\ngoto start\n```\n\n"
             "```ask\nbefore round 2 choose\nclick furthest-site\n```\n",

@@ -229,14 +229,20 @@ test_coordinates_out_of_range_change_nothing (void)
 }
 
 static void
-test_moving_keeps_the_extent (void)
+test_moving_fits_the_extent_only_at_rest (void)
 {
   g_autoptr (Session) session = new_lecture8 ();
   const Extent before = session_get_look (session)->extent;
+  const Extent *now = &session_get_look (session)->extent;
 
+  session_begin_edit (session);
   session_move_site (session, 0, (Site){ -9, 4 }, NULL);
-  g_assert_cmpmem (&before, sizeof before, &session_get_look (session)->extent,
-                   sizeof before);
+  g_assert_cmpmem (&before, sizeof before, now, sizeof before);
+  session_end_edit (session);
+  g_assert_cmpmem (&before, sizeof before, now, sizeof before);
+  session_move_site (session, 0, (Site){ -11, 4 }, NULL);
+  g_assert_cmpfloat (now->centre.x - now->radius, <=, -11);
+  g_assert_cmpfloat (now->centre.x + now->radius, >=, 1);
 }
 
 static void
@@ -460,7 +466,8 @@ static const struct {
     test_sites_that_do_not_exist_are_refused },
   { "/session/coordinates-out-of-range-change-nothing",
     test_coordinates_out_of_range_change_nothing },
-  { "/session/moving-keeps-the-extent", test_moving_keeps_the_extent },
+  { "/session/moving-fits-the-extent-only-at-rest",
+    test_moving_fits_the_extent_only_at_rest },
   { "/session/adding-fits-the-extent-only-when-outside",
     test_adding_fits_the_extent_only_when_outside },
   { "/session/the-extent-stays-where-it-is-when-the-scale-changes",

@@ -34,22 +34,53 @@ after_words (const char *text, guint n)
   return text;
 }
 
-static gboolean
-refuse_verb (const char *word, GError **error)
+/* Returns: (transfer full): a name as it is written in a lesson. */
+static char *
+verb_words (const char *name)
 {
-  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
-  g_autofree char *hint = NULL;
+  return g_strdelimit (g_strdup (name), "-", ' ');
+}
+
+/* Returns: (transfer full): the verb that begins with a word, as "move site"
+ *          does with "move"; NULL: none. */
+static char *
+find_longer_verb (const char *word)
+{
   guint n_actions;
   const Action *table = action_table (&n_actions);
 
+  for (guint i = 0; i < n_actions; i++)
+    if ((table[i].where & ACTION_IN_LESSON)
+        && strcspn (table[i].name, "-") == strlen (word)
+        && g_str_has_prefix (table[i].name, word))
+      return verb_words (table[i].name);
+  return NULL;
+}
+
+static char *
+verb_hint (const char *word)
+{
+  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
+  g_autofree char *longer = find_longer_verb (word);
+  guint n_actions;
+  const Action *table = action_table (&n_actions);
+
+  if (longer != NULL)
+    return g_strdup_printf (_ (" (did you mean “%s”?)"), longer);
   for (guint i = 0; i < n_actions; i++)
     if (table[i].where & ACTION_IN_LESSON)
       g_ptr_array_add (names,
                        g_strndup (table[i].name, strcspn (table[i].name, "-")));
   g_ptr_array_add (names, g_strdup ("expect"));
   g_ptr_array_add (names, NULL);
+  return words_hint (word, (const char *const *)names->pdata);
+}
 
-  hint = words_hint (word, (const char *const *)names->pdata);
+static gboolean
+refuse_verb (const char *word, GError **error)
+{
+  g_autofree char *hint = verb_hint (word);
+
   g_set_error (error, ACTION_ERROR, ACTION_ERROR_UNKNOWN,
                _ ("“%s” is no command%s"), word, hint);
   return FALSE;

@@ -156,6 +156,14 @@ parse (const char *text, Expect *expect, GError **error)
   expect->value = after_word (text);
   if (parse_value (expect))
     return TRUE;
+  if (value_kind (expect->key) == VALUE_NUMBER && expect->value[0] != '\0'
+      && strchr ("=<>!", expect->value[0]) != NULL) {
+    g_set_error (error, LESSON_ERROR, LESSON_ERROR_BROKEN,
+                 _ ("expect %s needs a whole number alone: comparisons are for "
+                    "the conditions of questions"),
+                 key_name (expect->key));
+    return FALSE;
+  }
   g_set_error (error, LESSON_ERROR, LESSON_ERROR_BROKEN,
                _ ("expect %s needs %s"), key_name (expect->key),
                value_rule (expect->key));

@@ -1,5 +1,6 @@
 #include "lint.h"
 
+#include "attempt.h"
 #include "locate.h"
 #include "prose.h"
 #include "words.h"
@@ -109,6 +110,38 @@ check_doing (Lint *lint, const Lesson *lesson)
              "third stop"));
 }
 
+/* What is nearly a note for the lecturer would be read by the students. */
+static void
+check_quotations (Lint *lint, const Lesson *lesson, const LessonStop *stop)
+{
+  if (g_regex_match_simple ("^ {0,3}>[ *_]*note\\b", stop->prose,
+                            G_REGEX_CASELESS | G_REGEX_MULTILINE, 0))
+    warn (lint, lesson->path, stop->line,
+          _ ("students read this quotation; what is for the lecturer begins "
+             "with “> Note:”"));
+}
+
+static void
+check_answer (Lint *lint, const Lesson *lesson, const LessonStop *stop)
+{
+  const Question *question = stop->question;
+  g_autoptr (Answer) answer = NULL;
+
+  if (question == NULL
+      || (question->kind != QUESTION_DRAG
+          && (question->kind != QUESTION_CHOOSE || question->is_several)))
+    return;
+  answer = answer_new (question, &stop->occasion);
+  if (question->kind == QUESTION_DRAG && !answer->is_found)
+    warn (lint, lesson->path, question->line,
+          _ ("no place was found where this holds, so replay will fail; exact "
+             "ties need sites on a grid"));
+  if (question->kind == QUESTION_CHOOSE && answer->objects->len > 1)
+    warn (lint, lesson->path, question->line,
+          _ ("%u options are right here, and each of them counts"),
+          answer->objects->len);
+}
+
 static void
 check_lesson (Lint *lint, const Lesson *lesson)
 {
@@ -116,6 +149,8 @@ check_lesson (Lint *lint, const Lesson *lesson)
   for (guint i = 0; i < lesson->stops->len; i++) {
     check_length (lint, lesson, lesson_stop (lesson, i));
     check_expects (lint, lesson, lesson_stop (lesson, i));
+    check_quotations (lint, lesson, lesson_stop (lesson, i));
+    check_answer (lint, lesson, lesson_stop (lesson, i));
   }
 }
 

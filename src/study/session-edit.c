@@ -286,7 +286,12 @@ session_move_site (Session *session, guint site, Site to, GError **error)
   run = make_run (session, &edit, error);
   if (run == NULL)
     return session->is_deferred;
+  session_hold (session);
   put_edit (session, run, g_strdup_printf (_ ("move of s%u"), site));
+  /* Under a hand the pictures must not move. */
+  if (!session->is_dragging)
+    session_fit_extent (session, FALSE);
+  session_release (session);
   return TRUE;
 }
 

@@ -10,6 +10,12 @@
  * can take long. */
 #define MAX_SITES_ASKED (10 * LESSON_MAX_SITES)
 
+/* How far a run has been shown, and by which stop. */
+typedef struct Reached {
+  guint step;
+  guint line;
+} Reached;
+
 /* One playing of a lesson, or of one stop of it. */
 typedef struct Player {
   Session *session;
@@ -22,7 +28,7 @@ typedef struct Player {
   guint n_sites_asked;
   /* How far each run has been shown: what is asked of it after that is no
    * question any more. */
-  GHashTable *reached; /* of guint by Run */
+  GHashTable *reached; /* of Reached by Run */
 } Player;
 
 /* Names the place in front of what went wrong. Takes @reason. */
@@ -79,25 +85,30 @@ static void
 note_reached (Player *player)
 {
   Session *session = player->session;
-  const guint reached
-      = GPOINTER_TO_UINT (g_hash_table_lookup (player->reached, session->run));
+  Reached *reached = g_hash_table_lookup (player->reached, session->run);
 
-  g_hash_table_insert (player->reached, run_ref (session->run),
-                       GUINT_TO_POINTER (MAX (reached, session->step)));
+  if (reached == NULL) {
+    reached = g_new0 (Reached, 1);
+    g_hash_table_insert (player->reached, run_ref (session->run), reached);
+  }
+  if (session->step > reached->step)
+    *reached = (Reached){ session->step, player->stop->line };
 }
 
 static GError *
 find_leak (Player *player, const Occasion *occasion)
 {
-  const guint reached = GPOINTER_TO_UINT (
-      g_hash_table_lookup (player->reached, player->session->run));
+  const Reached *reached
+      = g_hash_table_lookup (player->reached, player->session->run);
 
-  if (occasion->reveal == occasion->step || reached <= occasion->step)
+  if (occasion->reveal == occasion->step || reached == NULL
+      || reached->step <= occasion->step)
     return NULL;
   return g_error_new (LESSON_ERROR, LESSON_ERROR_BROKEN,
-                      _ ("this gives the answer away: the lesson has shown "
-                         "these sites beyond “%s” before it asks"),
-                      player->stop->question->position);
+                      _ ("this gives the answer away: the stop of line %u has "
+                         "shown these sites beyond “%s”, or the answer of its "
+                         "question has"),
+                      reached->line, player->stop->question->position);
 }
 
 /* Questions */
@@ -314,7 +325,7 @@ lesson_fill_states (Lesson *lesson, LessonFaults *faults)
 {
   g_autoptr (Session) session = session_new ();
   g_autoptr (GHashTable) reached
-      = g_hash_table_new_full (NULL, NULL, (GDestroyNotify)run_unref, NULL);
+      = g_hash_table_new_full (NULL, NULL, (GDestroyNotify)run_unref, g_free);
   Player player = {
     .session = session, .faults = faults, .is_filling = TRUE, .reached = reached
   };

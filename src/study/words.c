@@ -8,6 +8,9 @@
 /* Longer words have no near name. */
 #define HINT_MAX 24
 
+/* As many letters of a name tell which one is meant. */
+#define HINT_BEGINNING 5
+
 char **
 words_split (const char *text)
 {
@@ -69,19 +72,42 @@ typing_errors (const char *a, const char *b)
   return cost[n][m];
 }
 
-char *
-words_hint (const char *word, const char *const *names)
+static const char *
+find_mistyped (const char *word, const char *const *names)
 {
   const char *nearest = NULL;
   guint least = strlen (word) <= 4 ? 2 : 3;
 
-  if (strlen (word) > HINT_MAX)
-    return g_strdup ("");
   for (; *names != NULL; names++)
     if (strlen (*names) <= HINT_MAX && typing_errors (word, *names) < least) {
       nearest = *names;
       least = typing_errors (word, *names);
     }
+  return nearest;
+}
+
+/* Of "visible-facets" the beginning was written, or more than "upper". */
+static const char *
+find_beginning (const char *word, const char *const *names)
+{
+  for (; *names != NULL; names++)
+    if (MIN (strlen (word), strlen (*names)) >= HINT_BEGINNING
+        && (g_str_has_prefix (*names, word) || g_str_has_prefix (word, *names)))
+      return *names;
+  return NULL;
+}
+
+char *
+words_hint (const char *word, const char *const *names)
+{
+  g_autofree char *lower = g_ascii_strdown (word, -1);
+  const char *nearest = NULL;
+
+  if (strlen (word) > HINT_MAX)
+    return g_strdup ("");
+  nearest = find_mistyped (lower, names);
+  if (nearest == NULL)
+    nearest = find_beginning (lower, names);
   return nearest == NULL
              ? g_strdup ("")
              : g_strdup_printf (_ (" (did you mean “%s”?)"), nearest);
