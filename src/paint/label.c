@@ -83,11 +83,13 @@ label_sheet_free (LabelSheet *sheet)
 static void
 spill (LabelSheet *sheet, double x, double y, unsigned char ink)
 {
-  const int column = (int)floor (x / CELL) - sheet->left;
-  const int row = (int)floor (y / CELL) - sheet->top;
+  /* Rounded towards 0 is rounded down where the sheet is. */
+  const int column = (int)(x / CELL) - sheet->left;
+  const int row = (int)(y / CELL) - sheet->top;
   unsigned char *cell;
 
-  if (column < 0 || column >= sheet->columns || row < 0 || row >= sheet->rows)
+  if (x < 0 || y < 0 || column < 0 || column >= sheet->columns || row < 0
+      || row >= sheet->rows)
     return;
   cell = &sheet->ink[row * sheet->columns + column];
   *cell = MAX (*cell, ink);

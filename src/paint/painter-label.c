@@ -1,5 +1,6 @@
 /* Where the names of marks go. */
 #include "painter-private.h"
+#include "squares.h"
 
 #include <glib.h>
 #include <math.h>
@@ -7,9 +8,8 @@
 #define PADDING 1.5
 #define CROWDED 0.75 /* where sites are drawn smaller, few have names */
 
-/* So few names see only the ink near them; and so few that are lit are all
- * shown, whatever they cover. */
-#define FEW 24
+#define FEW 24 /* so many that are lit are all shown, whatever they cover */
+#define NEAR_SQUARE 24 /* side, px: ink is looked for in such squares */
 
 /* What has its name also in a crowd. */
 static bool
@@ -102,20 +102,6 @@ box_near (const Label *label)
                      (float)(label->at.y + reach) };
 }
 
-static bool
-is_near (const PixelBox *box, const GArray *labels)
-{
-  guint i;
-
-  for (i = 0; i < labels->len; i++) {
-    const PixelBox near = box_near (&g_array_index (labels, Label, i));
-
-    if (boxes_meet (box, &near))
-      return true;
-  }
-  return false;
-}
-
 /* The paraboloid's lines and all others, and marks, are what names avoid. */
 static void
 add_ink (const Drawing *drawing, const Stroke *stroke, LabelSheet *sheet)
@@ -167,17 +153,62 @@ add_placed (Painter *painter, const Wanted *wanted)
   }
 }
 
+static PixelBox
+area_of (const GArray *labels)
+{
+  PixelBox area = box_near (&g_array_index (labels, Label, 0));
+  guint i;
+
+  for (i = 1; i < labels->len; i++) {
+    const PixelBox near = box_near (&g_array_index (labels, Label, i));
+
+    area.left = MIN (area.left, near.left);
+    area.top = MIN (area.top, near.top);
+    area.right = MAX (area.right, near.right);
+    area.bottom = MAX (area.bottom, near.bottom);
+  }
+  return area;
+}
+
+/* A sheet for labels, and what is near them. */
+static LabelSheet *
+sheet_new (const Drawing *drawing, const GArray *labels)
+{
+  const PixelBox area = area_of (labels);
+
+  return label_sheet_new (drawing->width, drawing->height, &area);
+}
+
+/* Adds the ink of all strokes that are near a label; that of some others does
+ * no harm. */
+static void
+add_ink_near (LabelSheet *sheet, const Drawing *drawing, const GArray *labels)
+{
+  const SquareGrid grid
+      = square_grid_of (drawing->width, drawing->height, 1, NEAR_SQUARE);
+  Squares squares;
+  uint32_t i;
+
+  squares_init (&squares, &grid);
+  for (i = 0; i < labels->len; i++) {
+    const PixelBox near = box_near (&g_array_index (labels, Label, i));
+
+    squares_mark (&squares, &near);
+  }
+  for (i = 0; i < drawing->n_strokes; i++)
+    if (squares_meet (&squares, &drawing->strokes[i].box))
+      add_ink (drawing, &drawing->strokes[i], sheet);
+  squares_clear (&squares);
+}
+
 static void
 place_in_stock (Painter *painter, const Wanted *wanted)
 {
   const Drawing *drawing = painter->drawing;
   const GArray *labels = wanted->labels;
-  LabelSheet *sheet = label_sheet_new (drawing->width, drawing->height, NULL);
-  uint32_t i;
+  LabelSheet *sheet = sheet_new (drawing, labels);
 
-  for (i = 0; i < drawing->n_strokes; i++)
-    if (labels->len > FEW || is_near (&drawing->strokes[i].box, labels))
-      add_ink (drawing, &drawing->strokes[i], sheet);
+  add_ink_near (sheet, drawing, labels);
   label_sheet_place (sheet, (Label *)labels->data, labels->len);
   label_sheet_free (sheet);
 }
@@ -201,40 +232,20 @@ painter_add_names (Painter *painter)
 
 /* Names of what is lit */
 
-static PixelBox
-area_of (const GArray *labels)
-{
-  PixelBox area = box_near (&g_array_index (labels, Label, 0));
-  guint i;
-
-  for (i = 1; i < labels->len; i++) {
-    const PixelBox near = box_near (&g_array_index (labels, Label, i));
-
-    area.left = MIN (area.left, near.left);
-    area.top = MIN (area.top, near.top);
-    area.right = MAX (area.right, near.right);
-    area.bottom = MAX (area.bottom, near.bottom);
-  }
-  return area;
-}
-
-/* Adds the ink of all strokes of @stock that are near a label; others do no
- * harm. */
+/* The same of strokes that may be listed. In a crowd there is ink everywhere:
+ * a name is best next to its mark. */
 static void
-add_ink_near (LabelSheet *sheet,
-              const Drawing *stock,
-              const GArray *labels,
-              BoxIndex *strokes)
+add_ink_of_listed (LabelSheet *sheet,
+                   const Drawing *stock,
+                   const GArray *labels,
+                   BoxIndex *strokes)
 {
   uint32_t i;
 
-  /* In a crowd there is ink everywhere: a name is best next to its mark. */
   if (stock->size < CROWDED)
     return;
   if (strokes == NULL) {
-    for (i = 0; i < stock->n_strokes; i++)
-      if (labels->len > FEW || is_near (&stock->strokes[i].box, labels))
-        add_ink (stock, &stock->strokes[i], sheet);
+    add_ink_near (sheet, stock, labels);
     return;
   }
   for (i = 0; i < labels->len; i++) {
@@ -267,11 +278,10 @@ place_over (const Painter *painter,
             BoxIndex *strokes)
 {
   const Drawing *drawing = painter->drawing;
-  const PixelBox area = area_of (labels);
-  LabelSheet *sheet = label_sheet_new (drawing->width, drawing->height, &area);
+  LabelSheet *sheet = sheet_new (drawing, labels);
   uint32_t i;
 
-  add_ink_near (sheet, stock, labels, strokes);
+  add_ink_of_listed (sheet, stock, labels, strokes);
   for (i = 0; i < drawing->n_strokes; i++)
     add_ink (drawing, &drawing->strokes[i], sheet);
   add_names_of (stock, painter->scene, sheet);

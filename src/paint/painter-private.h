@@ -22,15 +22,15 @@ paint_layer_is_marks (uint32_t layer)
   return layer % 2 == 1;
 }
 
-/* Sorts of items: one for each role, emphasis, lit, shape, depth, and whether
- * they stand for a Voronoi vertex. */
-#define N_PAINTER_SORTS (N_ROLES * 3 * 3 * 3 * N_SCENE_DEPTHS * 2)
-
-/* The style last given to a sort of items. */
+/* The style last given to a sort of items: to those of one role, emphasis, lit,
+ * shape and depth, which do or do not stand for a Voronoi vertex. */
 typedef struct PainterSort {
-  uint32_t style; /* its number + 1; 0: none yet */
+  uint32_t sort;  /* its number + 1; 0: none yet */
+  uint32_t style; /* its number */
   double fade;    /* of the items that it is for */
 } PainterSort;
+
+#define N_PAINTER_SORTS 1024 /* a power of two; sorts share places */
 
 typedef struct Painter {
   Drawing *drawing;

@@ -111,17 +111,20 @@ sort_of (const Painter *painter, const SceneItem *item)
 uint32_t
 painter_number_style (Painter *painter, const SceneItem *item)
 {
-  PainterSort new_one = { 0, 0 };
-  PainterSort *known = painter->sorts == NULL
-                           ? &new_one
-                           : &painter->sorts[sort_of (painter, item)];
+  const uint32_t sort = sort_of (painter, item) + 1;
+  PainterSort new_one = { 0, 0, 0 };
+  PainterSort *known
+      = painter->sorts == NULL
+            ? &new_one
+            : &painter->sorts[sort * 0x9e3779b1U >> 16 & (N_PAINTER_SORTS - 1)];
 
-  if (known->style == 0 || known->fade < item->fade
+  if (known->sort != sort || known->fade < item->fade
       || known->fade > item->fade) {
     const Style style = painter_style (painter, item);
 
-    known->style = 1 + drawing_add_style (painter->drawing, &style);
+    known->sort = sort;
+    known->style = drawing_add_style (painter->drawing, &style);
     known->fade = item->fade;
   }
-  return known->style - 1;
+  return known->style;
 }
