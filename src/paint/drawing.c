@@ -145,3 +145,34 @@ stroke_end (Drawing *drawing)
   stroke->box = (PixelBox){ (float)(low.x - reach), (float)(low.y - reach),
                             (float)(high.x + reach), (float)(high.y + reach) };
 }
+
+/* Long lines have large boxes, in which they are nearly nowhere. */
+static bool
+segments_meet (const Drawing *drawing,
+               const Stroke *stroke,
+               const PixelBox *box)
+{
+  const Pixel *pixels = &drawing->pixels[stroke->first];
+  const double reach = stroke_reach (drawing, stroke);
+  const Pixel low = { box->left - reach, box->top - reach };
+  const Pixel high = { box->right + reach, box->bottom + reach };
+  uint32_t i;
+
+  for (i = 0; i + 1 < stroke->n; i++) {
+    Pixel ends[2] = { pixels[i], pixels[i + 1] };
+
+    if (clip_to_rectangle (low, high, ends))
+      return true;
+  }
+  return stroke->n < 2;
+}
+
+bool
+stroke_meets (const Drawing *drawing, const Stroke *stroke, const PixelBox *box)
+{
+  if (!boxes_meet (&stroke->box, box))
+    return false;
+  if (stroke->kind != STROKE_LINE && stroke->kind != STROKE_CASING)
+    return true;
+  return segments_meet (drawing, stroke, box);
+}

@@ -112,6 +112,11 @@ void stroke_end (Drawing *drawing);
 /* Returns: how far a stroke is painted beyond its pixels at most, px. */
 double stroke_reach (const Drawing *drawing, const Stroke *stroke);
 
+/* Returns: whether anything of a stroke may be painted in @box. */
+bool stroke_meets (const Drawing *drawing,
+                   const Stroke *stroke,
+                   const PixelBox *box);
+
 /* Returns: the number of a style. */
 uint32_t drawing_add_style (Drawing *drawing, const Style *style);
 void drawing_add_name (Drawing *drawing, const PlacedName *placed);

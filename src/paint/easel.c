@@ -248,6 +248,7 @@ paint_stock_changes (Easel *easel, const Scene *scene)
   sum_up (easel, 1);
   square_sums_compare (&easel->sums[1], &easel->sums[0], &squares);
   lit_drawing_compare (easel->lights[1], easel->lights[0], &squares);
+  squares_close (&squares);
   paint_squares (easel, scene, &squares);
   begin_underlay (easel);
   region = squares_region (&squares);

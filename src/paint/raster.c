@@ -144,7 +144,7 @@ paint_clip (Hand *hand, const Work *work)
     const uint32_t number = work->strokes == NULL ? i : work->strokes[i];
     const Stroke *stroke = &drawing->strokes[number];
 
-    if (boxes_meet (&stroke->box, &box))
+    if (stroke_meets (drawing, stroke, &box))
       hand_paint_stroke (hand, drawing, stroke);
   }
   for (i = 0; i < drawing->n_placed; i++)

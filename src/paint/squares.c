@@ -5,6 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* How many times as large a rectangle may be as what is marked of it. */
+#define CLOSE_MOST 3
+
 SquareGrid
 square_grid_of (double width, double height, double scale, int side)
 {
@@ -191,6 +194,30 @@ square_sums_add_stroke (SquareSums *sums,
   const Listener listener = { .grid = &sums->grid, .sums = sums, .mark = mark };
 
   tell_stroke (&listener, drawing, stroke);
+}
+
+void
+squares_close (Squares *squares)
+{
+  const SquareGrid *grid = &squares->grid;
+  Reach all = { grid->columns, -1, grid->rows, -1 };
+  int row, column, n = 0;
+
+  for (row = 0; row < grid->rows; row++)
+    for (column = 0; column < grid->columns; column++) {
+      if (!squares->is_marked[row * grid->columns + column])
+        continue;
+      n++;
+      all.left = column < all.left ? column : all.left;
+      all.right = column > all.right ? column : all.right;
+      all.top = row < all.top ? row : all.top;
+      all.bottom = row;
+    }
+  if ((all.right - all.left + 1) * (all.bottom - all.top + 1) > CLOSE_MOST * n)
+    return;
+  for (row = all.top; row <= all.bottom; row++)
+    for (column = all.left; column <= all.right; column++)
+      squares->is_marked[row * grid->columns + column] = true;
 }
 
 cairo_region_t *

@@ -36,6 +36,10 @@ void squares_mark_stroke (Squares *squares,
 /* Returns: whether a box meets any that is marked. */
 bool squares_meet (const Squares *squares, const PixelBox *box);
 
+/* Marks what lies between those that are marked, where that is not much more:
+ * one rectangle is painted sooner than the many that it is made of. */
+void squares_close (Squares *squares);
+
 /* Returns: (transfer full): what is marked, in device pixels. */
 cairo_region_t *squares_region (const Squares *squares);
 
