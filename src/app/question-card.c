@@ -98,6 +98,10 @@ reasons_text (const Exercise *exercise)
   const Verdict *verdict = exercise->verdict;
   g_autoptr (Verdict) blank = NULL;
 
+  /* The picture shows a place where it holds. */
+  if (verdict == NULL && !exercise->is_open
+      && exercise->question->kind == QUESTION_DRAG)
+    return g_strdup (_ ("It holds where the site is now."));
   if (verdict == NULL && !exercise->is_open)
     verdict = blank = attempt_grade (exercise->attempt, exercise->question,
                                      &exercise->occasion);

@@ -13,6 +13,9 @@ NAME = "io.github.hull2vd.Hull2VD"
 PATH = "/io/github/hull2vd/Hull2VD/window/1"
 PATIENCE = float(os.environ.get("HULL2VD_PATIENCE", "20"))
 
+# A busy machine takes its time to answer.
+Atspi.set_timeout(10000, 20000)
+
 
 class Failure(Exception):
     """What was expected did not come about."""
