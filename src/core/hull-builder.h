@@ -58,10 +58,9 @@ typedef struct QueueEntry {
 typedef struct HullBuilder {
   const Site *sites;
   uint32_t n_sites;
-  const uint32_t *first;      /* of a SiteSet; NULL: duplicates are found and
-                                 dropped on the way */
-  const HullHook *hook;       /* never looked at in the batch build */
-  const HullChoices *choices; /* nor are these; NULL: none */
+  const uint32_t *first; /* of a SiteSet; NULL: duplicates are found and
+                            dropped on the way */
+  const HullHook *hook;  /* never looked at in the batch build */
 
   HullFacet *facets;
   uint32_t n_facets, facets_room;
@@ -105,6 +104,9 @@ typedef struct HullBuilder {
   uint32_t first_cone; /* the first number of the cone */
 
   HullCounts counts;
+
+  /* Never looked at in the batch build; NULL: nothing is chosen. */
+  const HullChoices *choices;
 } HullBuilder;
 
 /* hull.c: builds the hull of the sites; all else starts at zero.
