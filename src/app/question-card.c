@@ -200,8 +200,10 @@ update (QuestionCard *card)
   show_buttons (card);
   gtk_widget_set_visible (GTK_WIDGET (card->instruction),
                           card->exercise->is_open);
-  /* Whoever has pressed one wants to see what came of it. */
-  if (card->exercise == shown)
+  /* Whoever has pressed one wants to see what came of it; tasks follow each
+   * other. */
+  if (card->exercise == shown
+      || session_get_performance (card->session) != NULL)
     scroll_to (card->buttons, BUTTONS_MARGIN);
 }
 
