@@ -1,6 +1,7 @@
 /* A performance in a session: what is shown of it, and the way through. */
 #include "action.h"
 #include "lesson-text.h"
+#include "progress.h"
 
 #include <string.h>
 
@@ -227,6 +228,44 @@ test_fresh_sites_follow_the_grading (void)
   g_assert_cmpuint (session_get_set (one)->n_sites, ==, 8);
 }
 
+/* What is remembered of a performance at any task is enough to go on with, and
+ * a file that somebody has changed does no harm. */
+static void
+test_a_performance_goes_on_where_it_was_left (void)
+{
+  g_autoptr (Session) session = begin ();
+  const Exercise *whole = session_get_exercise_of (session, 1);
+
+  for (guint i = 0; !whole->performance->is_over; i++) {
+    g_autoptr (Exercise) again
+        = exercise_new (whole->question, whole->run, &whole->occasion);
+    QuestionRecord record = { 0 };
+    g_autofree char *task = NULL, *task_again = NULL;
+
+    if (i % 5 == 2)
+      act (session, "show-answer", NULL);
+    else
+      answer (session);
+    question_record_take (&record, whole);
+    question_record_restore (&record, again);
+    g_assert_cmpmem (
+        &whole->performance->run->trace->rounds[0], sizeof (RoundRow),
+        &again->performance->run->trace->rounds[0], sizeof (RoundRow));
+    g_assert_cmpuint (performance_score (again->performance).total, ==, i + 1);
+    g_assert_cmpuint (performance_score (again->performance).correct, ==,
+                      score_of (session).correct);
+    g_assert_cmpint (again->is_open, ==, whole->is_open);
+    if (!whole->performance->is_over)
+      act (session, "continue", NULL);
+    task = task_text (performance_task (whole->performance));
+    task_again = task_text (performance_task (again->performance));
+    g_assert_cmpstr (task, ==, task_again);
+    json_object_set_int_member (record.memory, "tasks", 5);
+    question_record_restore (&record, again);
+    g_clear_pointer (&record.memory, json_object_unref);
+  }
+}
+
 /* On a person's own sites */
 
 static void
@@ -299,6 +338,8 @@ static const struct {
     test_browsing_shows_each_task_with_its_answer },
   { "/exam/fresh-sites-follow-the-grading",
     test_fresh_sites_follow_the_grading },
+  { "/exam/a-performance-goes-on-where-it-was-left",
+    test_a_performance_goes_on_where_it_was_left },
   { "/exam/any-sites-can-be-performed-on", test_any_sites_can_be_performed_on },
   { "/exam/sources-without-a-seed-are-refused",
     test_sources_without_a_seed_are_refused },

@@ -188,6 +188,7 @@ test_the_score_of_a_performance_is_kept (void)
   static const char text[]
       = LECTURE "## Exam\n\n```ask\nbefore round 1\nperform 2\n```\n";
   Session *session = learner_start (text);
+  const Exercise *exercise;
   const QuestionRecord *record;
   guint total;
 
@@ -202,7 +203,10 @@ test_the_score_of_a_performance_is_kept (void)
   session = learner_start (text);
   record = learner_record (session, 0);
   g_assert_cmpuint (record->total, ==, total);
-  g_assert_true (session_get_exercise_of (session, 0)->is_open);
+  exercise = session_get_exercise_of (session, 0);
+  g_assert_false (exercise->is_open);
+  g_assert_cmpuint (exercise->verdict->total, ==, total);
+  g_assert_true (session_can_browse (session, FALSE));
   learner_end (session);
 }
 

@@ -1,6 +1,8 @@
 /* An answer as JSON: {"objects": ["f3", "s2", "1"], "numbers": [4],
- * "sites": [[0.5, 1], …], "shown": true}. Options are told by their number. */
+ * "sites": [[0.5, 1], …], "shown": true}; of a performance {"tasks": …}.
+ * Options are told by their number. */
 #include "object-name.h"
+#include "performance.h"
 #include "progress.h"
 #include "words.h"
 
@@ -55,9 +57,10 @@ exercise_remember (const Exercise *exercise)
   const Attempt *attempt = exercise->attempt;
   JsonObject *memory;
 
-  if (exercise->question->kind > QUESTION_ALWAYS)
-    return NULL;
   memory = json_object_new ();
+  if (exercise->performance != NULL)
+    json_object_set_array_member (memory, "tasks",
+                                  performance_remember (exercise->performance));
   if (attempt->objects->len > 0)
     json_object_set_array_member (memory, "objects", write_objects (attempt));
   if (attempt->numbers->len > 0)
@@ -186,8 +189,15 @@ forget (Exercise *exercise)
 gboolean
 exercise_recall (Exercise *exercise, JsonObject *memory)
 {
-  if (exercise->question->kind > QUESTION_ALWAYS
-      || !recall_objects (exercise, get_array (memory, "objects"))
+  if (exercise->performance != NULL) {
+    JsonArray *tasks = get_array (memory, "tasks");
+
+    if (tasks != NULL)
+      performance_recall (exercise->performance, tasks);
+    exercise_finish (exercise);
+    return tasks != NULL;
+  }
+  if (!recall_objects (exercise, get_array (memory, "objects"))
       || !recall_numbers (exercise, get_array (memory, "numbers"))
       || !recall_sites (exercise, get_array (memory, "sites")))
     return forget (exercise);

@@ -3,6 +3,7 @@
 #include "locate.h"
 #include "number.h"
 #include "object-name.h"
+#include "performance.h"
 #include "question-click.h"
 
 #include <string.h>
@@ -184,6 +185,34 @@ settle (QuestionRecord *record, const Exercise *exercise, Outcome outcome)
   record->memory = exercise_remember (exercise);
 }
 
+/* How many tasks of a performance are remembered. */
+static guint
+count_tasks (const QuestionRecord *record)
+{
+  JsonNode *tasks = record->memory == NULL
+                        ? NULL
+                        : json_object_get_member (record->memory, "tasks");
+
+  return tasks != NULL && JSON_NODE_HOLDS_ARRAY (tasks)
+             ? json_array_get_length (json_node_get_array (tasks))
+             : 0;
+}
+
+/* A performance is kept task by task, for it takes its time.
+ *
+ * Returns: whether more of it is done than was. */
+static gboolean
+take_tasks (QuestionRecord *record, const Exercise *exercise)
+{
+  if (exercise->performance == NULL || record->outcome != OUTCOME_OPEN
+      || performance_score (exercise->performance).total
+             <= count_tasks (record))
+    return FALSE;
+  g_clear_pointer (&record->memory, json_object_unref);
+  record->memory = exercise_remember (exercise);
+  return TRUE;
+}
+
 gboolean
 question_record_take (QuestionRecord *record, const Exercise *exercise)
 {
@@ -192,13 +221,13 @@ question_record_take (QuestionRecord *record, const Exercise *exercise)
       = record->outcome == OUTCOME_OPEN && outcome != OUTCOME_OPEN;
   const gboolean is_better
       = record->outcome == OUTCOME_SHOWN && outcome == OUTCOME_AFTER_HELP;
-  gboolean has_changed = is_first || is_better;
+  gboolean has_changed = take_tasks (record, exercise) || is_first || is_better;
 
   if (record->n_checks == 0 && exercise->verdict != NULL) {
     record->total = exercise->verdict->total;
     record->correct = MIN (exercise->verdict->right, record->total);
   }
-  if (has_changed)
+  if (is_first || is_better)
     settle (record, exercise, outcome);
   if (record->n_checks < exercise->n_checks
       || record->hinted < exercise->n_hints
@@ -213,6 +242,9 @@ question_record_take (QuestionRecord *record, const Exercise *exercise)
 void
 question_record_restore (const QuestionRecord *record, Exercise *exercise)
 {
+  if (record->outcome == OUTCOME_OPEN && exercise->performance != NULL
+      && record->memory != NULL)
+    exercise_recall (exercise, record->memory);
   if (record->outcome != OUTCOME_OPEN
       && (record->memory == NULL
           || !exercise_recall (exercise, record->memory)))

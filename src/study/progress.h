@@ -107,6 +107,11 @@ char *question_key (const Question *question, const Run *run);
 JsonObject *exercise_remember (const Exercise *exercise);
 gboolean exercise_recall (Exercise *exercise, JsonObject *memory);
 
+/* performance-memory.c: the tasks that are settled, and back, as far as they
+ * fit. */
+JsonArray *performance_remember (const Performance *performance);
+void performance_recall (Performance *performance, JsonArray *tasks);
+
 /* progress-file.c */
 
 #define PROGRESS_ERROR (progress_error_quark ())
