@@ -22,19 +22,18 @@ tell (const Finder *finder, char *words, guint line)
 }
 
 static void
-find_in_prose (const Finder *finder, cmark_node *node)
+find_in_prose (const Finder *finder, cmark_node *block)
 {
-  switch ((int)cmark_node_get_type (node)) {
-  case CMARK_NODE_BLOCK_QUOTE:
-  case CMARK_NODE_LIST:
-  case CMARK_NODE_ITEM:
-    for (cmark_node *child = cmark_node_first_child (node); child != NULL;
-         child = cmark_node_next (child))
-      find_in_prose (finder, child);
-    break;
-  default:
-    tell (finder, prose_block_words (node), lesson_node_line (node));
+  cmark_iter *iter = cmark_iter_new (block);
+  cmark_event_type event;
+
+  while ((event = cmark_iter_next (iter)) != CMARK_EVENT_DONE) {
+    cmark_node *node = cmark_iter_get_node (iter);
+
+    if (event == CMARK_EVENT_ENTER)
+      tell (finder, prose_block_words (node), lesson_node_line (node));
   }
+  cmark_iter_free (iter);
 }
 
 static void

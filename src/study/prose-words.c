@@ -90,22 +90,17 @@ translate_words (cmark_node *block, ProseTranslate translate)
     replace_inside (block, translation);
 }
 
-/* Containers alone hold blocks; what is in a paragraph is not looked at. */
+/* What is inside a block may be replaced once it has been passed. */
 void
 prose_translate_block (cmark_node *block, ProseTranslate translate)
 {
-  switch ((int)cmark_node_get_type (block)) {
-  case CMARK_NODE_DOCUMENT:
-  case CMARK_NODE_BLOCK_QUOTE:
-  case CMARK_NODE_LIST:
-  case CMARK_NODE_ITEM:
-    for (cmark_node *node = cmark_node_first_child (block); node != NULL;
-         node = cmark_node_next (node))
-      prose_translate_block (node, translate);
-    break;
-  default:
-    translate_words (block, translate);
-  }
+  cmark_iter *iter = cmark_iter_new (block);
+  cmark_event_type event;
+
+  while ((event = cmark_iter_next (iter)) != CMARK_EVENT_DONE)
+    if (event == CMARK_EVENT_EXIT)
+      translate_words (cmark_iter_get_node (iter), translate);
+  cmark_iter_free (iter);
 }
 
 void

@@ -80,26 +80,6 @@ read_choose (Reader *reader, const char *rest)
          || blame (reader, rest, _ ("write choose one, or choose several"));
 }
 
-/* Returns: the last " if " of @text, or NULL. */
-static const char *
-find_if (const char *text)
-{
-  const char *found = NULL;
-
-  for (const char *at = strstr (text, " if "); at != NULL;
-       at = strstr (at + 1, " if "))
-    found = at;
-  return found;
-}
-
-char *
-question_option_words (const char *text)
-{
-  const char *at = find_if (text);
-
-  return at == NULL ? NULL : g_strstrip (g_strndup (text, at - text));
-}
-
 static void
 add_option (Question *question, const char *text, Condition *condition)
 {
@@ -124,7 +104,7 @@ read_condition (Reader *reader, const char *text)
 static gboolean
 read_option (Reader *reader, const char *rest)
 {
-  const char *at = find_if (rest);
+  const char *at = question_find_if (rest);
   g_autofree char *text = question_option_words (rest);
   Condition *condition;
 

@@ -6,6 +6,7 @@
 #include "scene.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
 static void
 option_free (gpointer data)
@@ -301,6 +302,26 @@ numbered (const char *format, guint32 number)
   if (parts[0] == NULL || parts[1] == NULL)
     return g_strdup (format);
   return g_strdup_printf ("%s%u%s", parts[0], number, parts[1]);
+}
+
+/* The last one: there may be others in the text. */
+const char *
+question_find_if (const char *option)
+{
+  const char *found = NULL;
+
+  for (const char *at = strstr (option, " if "); at != NULL;
+       at = strstr (at + 1, " if "))
+    found = at;
+  return found;
+}
+
+char *
+question_option_words (const char *option)
+{
+  const char *at = question_find_if (option);
+
+  return at == NULL ? NULL : g_strstrip (g_strndup (option, at - option));
 }
 
 char *

@@ -125,8 +125,11 @@ Question *question_parse (const LessonSource *source,
                           const LessonLines *lines,
                           LessonFaults *faults);
 
-/* Returns: (transfer full): TEXT of an option "TEXT if CONDITION", or NULL. */
-char *question_option_words (const char *text);
+/* Returns: the " if " before the condition of "TEXT if CONDITION", or NULL. */
+const char *question_find_if (const char *option);
+
+/* Returns: (transfer full): its TEXT, or NULL. */
+char *question_option_words (const char *option);
 
 /* Makes a question from a kind and a seed, which chooses the round; the same
  * for the same trace, kind and seed. @kind is one of
