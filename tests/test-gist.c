@@ -25,6 +25,8 @@ static const Row rows[] = {
   { "a\n\nb **c** d\n\n- e **f**\n\n### **g**\n",
     { "b <b>c</b> d", "e <b>f</b>" } },
   { "He says (“**look**.”) And so on.", { "He says (“<b>look</b>.”)" } },
+  { "It lies **outside**. s5 waits. It is **so**, e. g. f3 is.",
+    { "It lies <b>outside</b>.", "It is <b>so</b>, e. g. f3 is." } },
   { "At 2.5 the **site** is 1.5 up.", { "At 2.5 the <b>site</b> is 1.5 up." } },
 };
 

@@ -122,20 +122,46 @@ block_add_below (Block *block, Block *part, double above)
 
 /* Parting */
 
+/* Every block that is higher than @most and has parts, those that hold others
+ * before these. */
+static GPtrArray *
+find_high (Block *block, double most)
+{
+  GPtrArray *high = g_ptr_array_new ();
+
+  g_ptr_array_add (high, block);
+  for (guint i = 0; i < high->len; i++) {
+    const Block *holder = g_ptr_array_index (high, i);
+
+    for (guint k = 0; k < holder->parts->len; k++) {
+      Block *part = g_ptr_array_index (holder->parts, k);
+
+      if (part->height > most && part->parts->len > 0)
+        g_ptr_array_add (high, part);
+    }
+  }
+  return high;
+}
+
+static void
+stand (Block *block)
+{
+  for (guint i = 0; block->kind == BLOCK_COLUMNS && i < block->parts->len; i++)
+    ((Block *)g_ptr_array_index (block->parts, i))->above = block->gap;
+  block->kind = BLOCK_STACK;
+  measure (block);
+}
+
 void
 block_unfold (Block *block, double most)
 {
+  g_autoptr (GPtrArray) high = NULL;
+
   if (block->height <= most || block->parts->len == 0)
     return;
-  for (guint i = 0; i < block->parts->len; i++) {
-    Block *part = g_ptr_array_index (block->parts, i);
-
-    block_unfold (part, most);
-    if (block->kind == BLOCK_COLUMNS)
-      part->above = block->gap;
-  }
-  block->kind = BLOCK_STACK;
-  measure (block);
+  high = find_high (block, most);
+  for (guint i = high->len; i-- > 0;)
+    stand (g_ptr_array_index (high, i));
 }
 
 static const Block *
@@ -183,40 +209,54 @@ take_rest (Block *block, guint first, Block *torn)
   return rest;
 }
 
-/* The first part that does not fit is parted itself, or goes on with those
- * before it that want to be kept with it. */
-static Block *
-split_stack (Block *block, double height)
-{
-  guint n = count_fitting (block, height);
-  Block *torn;
+/* The first part of a stack that does not fit. */
+typedef struct Tear {
+  Block *stack;
+  guint part;
+} Tear;
 
-  if (n == block->parts->len)
-    return NULL;
-  torn = block_split (g_ptr_array_index (block->parts, n),
-                      height - height_of_parts (block, n)
-                          - (n > 0 ? get_part (block, n)->above : 0)
-                          - block->padding);
+/* Goes down to the innermost block that does not fit.
+ *
+ * Returns: what of it does not fit, or NULL: it cannot be parted. */
+static Block *
+tear_down (Block *block, double height, GArray *tears)
+{
+  while (block->kind == BLOCK_STACK) {
+    const Tear tear = { block, count_fitting (block, height) };
+
+    if (tear.part == block->parts->len)
+      return NULL;
+    g_array_append_val (tears, tear);
+    height -= height_of_parts (block, tear.part) + block->padding
+              + (tear.part > 0 ? get_part (block, tear.part)->above : 0);
+    block = g_ptr_array_index (block->parts, tear.part);
+  }
+  return block->kind == BLOCK_TEXT ? block_split_text (block, height) : NULL;
+}
+
+/* A part that cannot be parted goes on with those before it that want to be
+ * kept with it. */
+static Block *
+tear_off (const Tear *tear, Block *torn)
+{
+  guint part = tear->part;
+
   if (torn != NULL)
-    return take_rest (block, n + 1, torn);
-  while (n > 0 && get_part (block, n - 1)->keeps)
-    n -= 1;
-  return n == 0 ? NULL : take_rest (block, n, NULL);
+    return take_rest (tear->stack, part + 1, torn);
+  while (part > 0 && get_part (tear->stack, part - 1)->keeps)
+    part -= 1;
+  return part == 0 ? NULL : take_rest (tear->stack, part, NULL);
 }
 
 Block *
 block_split (Block *block, double height)
 {
-  switch (block->kind) {
-  case BLOCK_TEXT:
-    return block_split_text (block, height);
-  case BLOCK_STACK:
-    return split_stack (block, height);
-  case BLOCK_DRAWING:
-  case BLOCK_COLUMNS:
-    break;
-  }
-  return NULL;
+  g_autoptr (GArray) tears = g_array_new (FALSE, FALSE, sizeof (Tear));
+  Block *rest = tear_down (block, height, tears);
+
+  for (guint i = tears->len; i-- > 0;)
+    rest = tear_off (&g_array_index (tears, Tear, i), rest);
+  return rest;
 }
 
 /* Painting */
@@ -232,38 +272,6 @@ paint_frame (const Block *block, cairo_t *cr)
 }
 
 static void
-paint_parts (const Block *block, cairo_t *cr)
-{
-  double x = block->padding, y = block->padding;
-
-  for (guint i = 0; i < block->parts->len; i++) {
-    const Block *part = g_ptr_array_index (block->parts, i);
-
-    if (block->kind == BLOCK_STACK && i > 0)
-      y += part->above;
-    block_paint (part, cr, x, y);
-    if (block->kind == BLOCK_STACK)
-      y += part->height;
-    else
-      x += part->width + block->gap;
-  }
-}
-
-static void
-paint_content (const Block *block, cairo_t *cr)
-{
-  cairo_set_source_rgb (cr, 0, 0, 0);
-  if (block->has_frame)
-    paint_frame (block, cr);
-  if (block->kind == BLOCK_TEXT)
-    block_paint_text (block, cr);
-  else if (block->kind == BLOCK_DRAWING)
-    block->draw (cr, block->width, block->height, block->data);
-  else
-    paint_parts (block, cr);
-}
-
-static void
 begin_tag (cairo_t *cr, const char *tag, const char *format, const char *name)
 {
   g_autofree char *attributes
@@ -272,8 +280,20 @@ begin_tag (cairo_t *cr, const char *tag, const char *format, const char *name)
   cairo_tag_begin (cr, tag, attributes);
 }
 
-void
-block_paint (const Block *block, cairo_t *cr, double x, double y)
+static void
+paint_own (const Block *block, cairo_t *cr)
+{
+  cairo_set_source_rgb (cr, 0, 0, 0);
+  if (block->has_frame)
+    paint_frame (block, cr);
+  if (block->kind == BLOCK_TEXT)
+    block_paint_text (block, cr);
+  else if (block->kind == BLOCK_DRAWING)
+    block->draw (cr, block->width, block->height, block->data);
+}
+
+static void
+enter (const Block *block, cairo_t *cr, double x, double y)
 {
   cairo_save (cr);
   cairo_translate (cr, x, y);
@@ -283,7 +303,12 @@ block_paint (const Block *block, cairo_t *cr, double x, double y)
     begin_tag (cr, CAIRO_TAG_DEST, "name='%s'", block->name);
   if (block->link != NULL)
     begin_tag (cr, CAIRO_TAG_LINK, "dest='%s'", block->link);
-  paint_content (block, cr);
+  paint_own (block, cr);
+}
+
+static void
+leave (const Block *block, cairo_t *cr)
+{
   if (block->link != NULL)
     cairo_tag_end (cr, CAIRO_TAG_LINK);
   if (block->name != NULL)
@@ -291,4 +316,57 @@ block_paint (const Block *block, cairo_t *cr, double x, double y)
   if (block->tag != NULL)
     cairo_tag_end (cr, block->tag);
   cairo_restore (cr);
+}
+
+/* A block that is being painted, and the part of it that comes next. */
+typedef struct Visit {
+  const Block *block;
+  guint part;
+  double x, y; /* of that part */
+} Visit;
+
+static void
+visit (GArray *visits, const Block *block, cairo_t *cr, double x, double y)
+{
+  const Visit visit = { block, 0, block->padding, block->padding };
+
+  enter (block, cr, x, y);
+  g_array_append_val (visits, visit);
+}
+
+/* Returns: the next part; *@x and *@y are where it goes. */
+static const Block *
+next_part (Visit *visit, double *x, double *y)
+{
+  const Block *part = get_part (visit->block, visit->part);
+  const gboolean is_stack = visit->block->kind == BLOCK_STACK;
+
+  if (is_stack && visit->part > 0)
+    visit->y += part->above;
+  *x = visit->x;
+  *y = visit->y;
+  visit->part += 1;
+  visit->x += is_stack ? 0 : part->width + visit->block->gap;
+  visit->y += is_stack ? part->height : 0;
+  return part;
+}
+
+void
+block_paint (const Block *block, cairo_t *cr, double x, double y)
+{
+  g_autoptr (GArray) visits = g_array_new (FALSE, FALSE, sizeof (Visit));
+
+  visit (visits, block, cr, x, y);
+  while (visits->len > 0) {
+    Visit *last = &g_array_index (visits, Visit, visits->len - 1);
+
+    if (last->part < last->block->parts->len) {
+      const Block *part = next_part (last, &x, &y);
+
+      visit (visits, part, cr, x, y);
+    } else {
+      leave (last->block, cr);
+      g_array_set_size (visits, visits->len - 1);
+    }
+  }
 }

@@ -79,6 +79,16 @@ after_sentence (const Film *film, const RoundRow *round)
       frame->counts.triangles);
 }
 
+/* Panels are narrow: no line ends within a formula. */
+static char *
+keep_formulas (const char *sentence)
+{
+  g_autoptr (GRegex) regex = g_regex_new (" ([=+−]) (?=[0-9])", 0, 0, NULL);
+
+  return g_regex_replace (regex, sentence, -1, 0, "\302\240\\1\302\240", 0,
+                          NULL);
+}
+
 /* Panels */
 
 static const char *
@@ -122,18 +132,18 @@ panel_new (const Film *film, const RoundRow *round, guint panel, double width)
   const Moment moment
       = { film->session, MOMENT_NONE, MOMENT_SHOWN, panel_step (round, panel) };
   Block *stack = block_stack (width);
-  g_autofree char *sentence = NULL;
+  g_autofree char *sentence = NULL, *kept = NULL;
 
   moment_enter (&moment);
   sentence = panel_sentence (film, round, panel);
+  kept = keep_formulas (sentence);
   block_add (stack,
              handout_words (handout, TEXT_LABEL, width, panel_label (panel)));
   block_add_below (
       stack, moment_block (&moment, MOMENT_PLANE, appearance, width, width), 3);
   block_add_below (
       stack, moment_block (&moment, MOMENT_SPACE, appearance, width, width), 4);
-  block_add_below (stack, handout_words (handout, TEXT_SMALL, width, sentence),
-                   4);
+  block_add_below (stack, handout_words (handout, TEXT_SMALL, width, kept), 4);
   return stack;
 }
 

@@ -159,16 +159,29 @@ place (Pages *pages, guint index, guint *page, double *y)
   *y = entry->y + entry->block->height;
 }
 
+/* Whether there may be more space over an entry than is wanted. */
+static gboolean
+is_loose (const Pages *pages, guint index)
+{
+  return !get_entry (pages, index - 1)->block->keeps;
+}
+
 /* Fills a page, of which the entries @first … @last - 1 are. */
 static void
 stretch (Pages *pages, guint first, guint last)
 {
   const Entry *end = get_entry (pages, last - 1);
   const double left = pages_height (pages) - end->y - end->block->height;
-  const double more = MIN (left / MAX (last - first - 1, 1), MOST_STRETCH);
+  double more, added = 0;
+  guint n_loose = 0;
 
   for (guint i = first + 1; i < last; i++)
-    get_entry (pages, i)->y += (i - first) * more;
+    n_loose += is_loose (pages, i);
+  more = MIN (left / MAX (n_loose, 1), MOST_STRETCH);
+  for (guint i = first + 1; i < last; i++) {
+    added += is_loose (pages, i) ? more : 0;
+    get_entry (pages, i)->y += added;
+  }
 }
 
 /* The last page, and one after which a new one was wanted, end where they

@@ -41,12 +41,14 @@ skip_closing (const char *at, int *depth)
   }
 }
 
+/* Names of objects, as "s5", are small at the beginning of a sentence too. */
 static gboolean
 begins_a_sentence (const char *at)
 {
   while (*at == ' ' || *at == '<' || *at == '(')
     at += *at == '<' ? strcspn (at, ">") + 1 : 1;
-  return !g_unichar_islower (g_utf8_get_char (at));
+  return !g_unichar_islower (g_utf8_get_char (at))
+         || (strchr ("sfvr", *at) != NULL && g_ascii_isdigit (at[1]));
 }
 
 /* Returns: the end of the sentence that begins @markup: outside of all tags,
