@@ -14,6 +14,7 @@ struct _LegendPanel {
   GtkWidget *rows[N_ROLES];
   GtkWidget *names[N_ROLES];
   int n_shown;
+  gboolean is_arranged; /* the rows that are shown */
   int n_columns;
 };
 
@@ -138,6 +139,7 @@ arrange (LegendPanel *panel)
                              place % n_rows, NULL);
     place++;
   }
+  panel->is_arranged = TRUE;
 }
 
 static gboolean
@@ -160,12 +162,18 @@ update_row (LegendPanel *panel, Role role, const char *text)
   g_autofree char *tooltip = g_strdup_printf (
       is_on ? _ ("%s: click to hide it") : _ ("%s: hidden, click to show it"),
       text);
+  g_autofree char *told = gtk_widget_get_tooltip_text (panel->rows[role]);
 
+  if (g_strcmp0 (told, tooltip) == 0)
+    return;
+  gtk_label_set_text (GTK_LABEL (panel->names[role]), text);
   gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (panel->rows[role]), is_on);
   gtk_widget_set_tooltip_text (panel->rows[role], tooltip);
   atk_object_set_name (gtk_widget_get_accessible (panel->rows[role]), text);
 }
 
+/* Rows move only when others come or go: to put them where they are would
+ * lay out the panel each time that the pointer moves. */
 static void
 update (LegendPanel *panel)
 {
@@ -178,15 +186,17 @@ update (LegendPanel *panel)
       continue;
     is_shown = template_of (role, panel->session) != NULL
                && is_in_view (panel, role);
+    if (is_shown != gtk_widget_get_visible (panel->rows[role]))
+      panel->is_arranged = FALSE;
     gtk_widget_set_visible (panel->rows[role], is_shown);
     if (!is_shown)
       continue;
     panel->n_shown++;
     text = text_of (role, panel->session);
-    gtk_label_set_text (GTK_LABEL (panel->names[role]), text);
     update_row (panel, role, text);
   }
-  arrange (panel);
+  if (!panel->is_arranged)
+    arrange (panel);
 }
 
 void

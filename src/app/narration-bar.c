@@ -98,14 +98,18 @@ get_sentence (NarrationBar *bar)
 }
 
 static void
-update (NarrationBar *bar)
+update (NarrationBar *bar, gboolean is_only_look)
 {
   g_autofree char *sentence = get_sentence (bar);
-  g_autofree char *markup
-      = narration_to_markup (sentence, session_get_apex (bar->session),
-                             get_theme (bar), get_background (bar));
-  g_autofree char *place = place_text (bar->session);
+  g_autofree char *markup = NULL;
+  g_autofree char *place = NULL;
 
+  /* The pointer moves often, and seldom is there another sentence. */
+  if (is_only_look && g_strcmp0 (bar->told, sentence) == 0)
+    return;
+  markup = narration_to_markup (sentence, session_get_apex (bar->session),
+                                get_theme (bar), get_background (bar));
+  place = place_text (bar->session);
   gtk_label_set_markup (bar->sentence, markup);
   gtk_label_set_text (bar->place, place);
   announce (bar, sentence);
@@ -118,7 +122,7 @@ on_changed (Session *session, guint changes, NarrationBar *bar)
   if (changes
       & (CHANGED_SITES | CHANGED_STEP | CHANGED_LESSON | CHANGED_QUESTION
          | CHANGED_APPEARANCE | CHANGED_LOOK))
-    update (bar);
+    update (bar, changes == CHANGED_LOOK);
 }
 
 static void
@@ -128,7 +132,7 @@ narration_bar_style_updated (GtkWidget *widget)
 
   GTK_WIDGET_CLASS (narration_bar_parent_class)->style_updated (widget);
   if (bar->session != NULL)
-    update (bar);
+    update (bar, FALSE);
 }
 
 void
@@ -137,7 +141,7 @@ narration_bar_set_session (NarrationBar *bar, Session *session)
   g_assert (bar->session == NULL);
   bar->session = g_object_ref (session);
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), bar, 0);
-  update (bar);
+  update (bar, FALSE);
 }
 
 static void

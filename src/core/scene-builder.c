@@ -238,6 +238,9 @@ scene_add_mark (SceneBuilder *builder,
                 const char *label)
 {
   scene_add (builder, SHAPE_MARK, role, object)->label = label;
+  if (!builder->has_stock)
+    builder->scene->stock.n_sites
+        += role >= ROLE_SITE && role <= ROLE_SITE_IGNORED;
   scene_add_point (builder, at);
 }
 

@@ -261,6 +261,7 @@ typedef struct SceneLook {
 typedef struct SceneStock {
   uint64_t edition; /* another one whenever a scene is filled; 0: never */
   uint32_t n_items, n_points, n_labels;
+  uint32_t n_sites; /* marks of sites */
 } SceneStock;
 
 /* Which items of the stock have an object; private to scene-index.c. */

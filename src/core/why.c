@@ -114,6 +114,9 @@ why_power (const SiteSet *set, const uint32_t circle[3], uint32_t site)
   else if (!(power.value * power.sign > 0))
     power.value = power.sign * DBL_MIN;
   power.value = ldexp (power.value, 2 * set->exponent);
+  /* Nor may it lose a number that is as large as there are any. */
+  if (!(fabs (power.value) <= DBL_MAX))
+    power.value = power.sign * DBL_MAX;
   return power;
 }
 

@@ -16,6 +16,8 @@
 #define INK_LABEL 255 /* counts as COST_LABEL */
 #define HEAVY_PX 2.2
 
+#define MANY_LABELS 24
+
 /* Places round a mark: directions, and distances in px. */
 #define N_DIRECTIONS 16
 #define N_DISTANCES 4
@@ -163,14 +165,17 @@ label_sheet_name (LabelSheet *sheet, const PixelBox *box)
     }
 }
 
-/* Sums up the ink, so that the ink under a rectangle is four numbers. */
+/* Sums up the ink, so that the ink under a rectangle is four numbers, where it
+ * is asked for often. */
 static void
-sum_ink (LabelSheet *sheet)
+sum_ink (LabelSheet *sheet, uint32_t n_labels)
 {
   const int stride = sheet->columns + 1;
   int row, column;
 
-  g_free (sheet->sums);
+  g_clear_pointer (&sheet->sums, g_free);
+  if (n_labels < MANY_LABELS)
+    return;
   sheet->sums = g_new0 (guint32, (gsize)stride * (gsize)(sheet->rows + 1));
   for (row = 0; row < sheet->rows; row++) {
     const unsigned char *ink = &sheet->ink[row * sheet->columns];
@@ -198,6 +203,21 @@ has_label (const LabelSheet *sheet, Cells cells)
   return false;
 }
 
+/* The same without sums: for few labels, which need few of them. */
+static double
+count_ink_under (const LabelSheet *sheet, Cells cells)
+{
+  guint32 sum = 0;
+  int row, column;
+
+  if (has_label (sheet, cells))
+    return COST_LABEL;
+  for (row = cells.top; row < cells.bottom; row++)
+    for (column = cells.left; column < cells.right; column++)
+      sum += sheet->ink[row * sheet->columns + column];
+  return sum;
+}
+
 /* Returns: how bad it is to cover these cells; something above @most when it
  *          is worse than that. */
 static double
@@ -209,6 +229,8 @@ ink_under (const LabelSheet *sheet, Cells cells, double most)
 
   if (cells.right <= cells.left || cells.bottom <= cells.top)
     return 0;
+  if (sheet->sums == NULL)
+    return count_ink_under (sheet, cells);
   top = &sheet->sums[cells.top * stride];
   bottom = &sheet->sums[cells.bottom * stride];
   sum = bottom[cells.right] - bottom[cells.left] - top[cells.right]
@@ -306,7 +328,7 @@ label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels)
 {
   uint32_t i;
 
-  sum_ink (sheet);
+  sum_ink (sheet, n_labels);
   for (i = 0; i < n_labels; i++)
     if (labels[i].is_important)
       place (sheet, &labels[i], COST_OUTSIDE);
@@ -320,7 +342,7 @@ label_sheet_place_over (LabelSheet *sheet, Label *labels, uint32_t n_labels)
 {
   uint32_t i;
 
-  sum_ink (sheet);
+  sum_ink (sheet, n_labels);
   for (i = 0; i < n_labels; i++)
     place (sheet, &labels[i], DBL_MAX);
 }

@@ -283,13 +283,8 @@ static double
 size_in_crowd (const Painter *painter)
 {
   const double area = painter->projection->width * painter->projection->height;
-  const Scene *scene = painter->scene;
-  uint32_t i, n_sites = 0;
+  const uint32_t n_sites = painter->scene->stock.n_sites;
 
-  for (i = 0; i < scene->stock.n_items; i++)
-    n_sites += scene->items[i].shape == SHAPE_MARK
-               && scene->items[i].role >= ROLE_SITE
-               && scene->items[i].role <= ROLE_SITE_IGNORED;
   return CLAMP (sqrt (area / MAX (n_sites, 1)) / ROOMY_PX, SIZE_LEAST, 1);
 }
 

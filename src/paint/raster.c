@@ -13,7 +13,7 @@
 #define MANY_PIXELS 60000 /* less is painted by one hand */
 
 /* So few strokes are not chosen before they are painted square by square. */
-#define FEW_STROKES 10000
+#define FEW_STROKES 4000
 
 struct Raster {
   cairo_surface_t *surface;

@@ -211,9 +211,31 @@ hover (Views *views, guint i)
   views->look.hover = scene_picker_pick (views->picker, &views->scenes[0],
                                          &projection, at_px, 12);
   for (int k = 0; k < 2; k++) {
-    g_assert (scene_relight (&views->scenes[k], &views->frame, &views->look));
+    if (!scene_relight (&views->scenes[k], &views->frame, &views->look))
+      build (views, k);
     show (views, k);
   }
+}
+
+/* The same, and both show what a site there would change. */
+static void
+foresee (Views *views, guint i)
+{
+  const Projection projection = project (views, FALSE);
+
+  views->look.has_preview = TRUE;
+  views->look.preview = scene_site (
+      &views->look,
+      projection_unapply (&projection, 300 + 7.0 * (i % 60), 400));
+  hover (views, i);
+}
+
+/* The first one after a step: it lists what there is. */
+static void
+hover_anew (Views *views, guint i)
+{
+  show_both (views);
+  hover (views, i);
 }
 
 static void
@@ -349,7 +371,7 @@ measure_sites (const char *what,
   if (strstr (what, words) == NULL)
     return;
   views_init (&views, n_sites, part);
-  if (frame == hover || frame == next_step)
+  if (frame == hover || frame == foresee || frame == next_step)
     show_both (&views);
   measure (what, target_ms, frame, &views);
   views_clear (&views);
@@ -400,6 +422,10 @@ measure_raster (void)
                  drag);
   measure_sites ("a step, both views, 2 000 sites", 2000, 0.5, 8, next_step);
   measure_sites ("hover: pick, both views, 10 000 sites", 10000, 1, 5, hover);
+  measure_sites ("  the same, with the preview of a site", 10000, 1, 0,
+                 foresee);
+  measure_sites ("  both views, whole, and the first hover", 10000, 1, 0,
+                 hover_anew);
   measure_sites ("plane, whole, 1 000 sites", 1000, 1, 20, paint_whole);
   measure_sites ("plane, whole, 10 000 sites", 10000, 1, 100, paint_whole);
   measure_sites ("plane, nothing has changed, 10 000 sites", 10000, 1, 1,
