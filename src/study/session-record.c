@@ -104,12 +104,21 @@ session_record_text (SessionRecord *record)
 /* Following */
 
 static gboolean
+are_same (const double *a, const double *b, guint n)
+{
+  for (guint i = 0; i < n; i++)
+    if (a[i] != b[i])
+      return FALSE;
+  return TRUE;
+}
+
+static gboolean
 is_same_look (const SceneLook *a, const SceneLook *b)
 {
   return a->layers == b->layers && a->focus == b->focus && a->lift == b->lift
          && a->raise == b->raise
-         && memcmp (a->body_fade, b->body_fade, sizeof a->body_fade) == 0
-         && memcmp (a->role_fade, b->role_fade, sizeof a->role_fade) == 0
+         && are_same (a->body_fade, b->body_fade, N_BODIES)
+         && are_same (a->role_fade, b->role_fade, N_ROLES)
          && object_equal (a->selection, b->selection)
          && object_equal (a->measured, b->measured);
 }
