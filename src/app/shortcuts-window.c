@@ -207,13 +207,21 @@ fill (GtkWidget *window, gboolean is_narrow)
   }
 }
 
+/* GTK's window of shortcuts leaves a style behind when it is destroyed, which
+ * is asked for its widget when the theme changes: it is hidden and kept. */
 void
 shortcuts_window_show (GtkWindow *parent)
 {
-  GtkWidget *window = gtk_widget_new (GTK_TYPE_SHORTCUTS_WINDOW, "modal", TRUE,
-                                      "transient-for", parent,
-                                      "destroy-with-parent", TRUE, NULL);
+  GtkWidget *window = g_object_get_data (G_OBJECT (parent), "shortcuts");
 
-  fill (window, is_narrow (parent));
-  gtk_widget_show (window);
+  if (window == NULL) {
+    window = gtk_widget_new (GTK_TYPE_SHORTCUTS_WINDOW, "modal", TRUE,
+                             "transient-for", parent, "destroy-with-parent",
+                             TRUE, NULL);
+    fill (window, is_narrow (parent));
+    g_signal_connect (window, "delete-event",
+                      G_CALLBACK (gtk_widget_hide_on_delete), NULL);
+    g_object_set_data (G_OBJECT (parent), "shortcuts", window);
+  }
+  gtk_window_present (GTK_WINDOW (window));
 }

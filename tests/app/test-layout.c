@@ -257,7 +257,7 @@ inspect_dialog (const char *action, GPtrArray *faults)
     g_error ("no dialog: %s", action);
   wait_ms (dialog, 300);
   inspect_top (dialog, action, faults);
-  gtk_widget_hide (dialog);
+  gtk_window_close (GTK_WINDOW (dialog));
   wait_ms (GTK_WIDGET (stage.window), 100);
 }
 
