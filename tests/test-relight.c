@@ -230,7 +230,7 @@ check_picks (Stage *stage, GRand *rand)
   ScenePicker *pickers[2] = { scene_picker_new (), scene_picker_new () };
 
   for (guint i = 0; i < 300; i++) {
-    const gboolean is_space = i % 2;
+    const gboolean is_space = i % 2 == 1;
     const Scene *scene = is_space ? &stage->space : &stage->plane;
     const Projection *projection
         = is_space ? &stage->on_space : &stage->on_plane;

@@ -4,7 +4,6 @@
 #include "scene-builder.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* A facet and the Voronoi vertex of its circle are counterparts; all other
  * counterparts have one name. */
@@ -306,8 +305,15 @@ is_same_point (Point3 a, Point3 b)
 static bool
 has_same_fades (const SceneLook *a, const SceneLook *b)
 {
-  return memcmp (a->body_fade, b->body_fade, sizeof a->body_fade) == 0
-         && memcmp (a->role_fade, b->role_fade, sizeof a->role_fade) == 0;
+  int i;
+
+  for (i = 0; i < N_BODIES; i++)
+    if (a->body_fade[i] != b->body_fade[i])
+      return false;
+  for (i = 0; i < N_ROLES; i++)
+    if (a->role_fade[i] != b->role_fade[i])
+      return false;
+  return true;
 }
 
 /* Whether both looks show the same stock. What is answered may have changed

@@ -20,8 +20,11 @@ typedef struct Easel Easel;
 Easel *easel_new (void);
 void easel_free (Easel *easel);
 
-/* Brings the picture up to date, at @scale device pixels to a px.
+/* Brings the picture up to date, at @scale device pixels to a px. Scenes are
+ * known by the editions of their stocks, wherever they lie.
  *
+ * Cost:    where only the light has changed, O(what is lit, before and now,
+ *          and what lies there), and once O(strokes); else O(items).
  * Returns: (transfer full): what of it has changed, in device pixels. */
 cairo_region_t *easel_paint (Easel *easel,
                              const Scene *scene,

@@ -206,7 +206,8 @@ static void
 hover (Views *views, guint i)
 {
   const Projection projection = project (views, FALSE);
-  const double at_px[2] = { 300 + 7.0 * (i % 60), 400.0 + i / 60 };
+  const guint row = i / 60;
+  const double at_px[2] = { 300 + 7.0 * (i % 60), 400 + row };
 
   views->look.hover = scene_picker_pick (views->picker, &views->scenes[0],
                                          &projection, at_px, 12);
