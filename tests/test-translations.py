@@ -107,6 +107,17 @@ def check_complete(language):
     return faults
 
 
+def check_gathered(_):
+    """Every file with words is in POTFILES."""
+    with open(f"{SOURCE}/po/POTFILES", encoding="utf-8") as file:
+        listed = set(file.read().split())
+    marked = run("grep", "-rlE", r"\b(N?_|N?C_|g_dn?gettext|ngettext) \(\"",
+                 "src", "--include=*.c", "--include=*.h").split()
+    marked += run("grep", "-rl", "translatable=", "ui").split()
+    return [f"not in po/POTFILES: {path}" for path in sorted(marked)
+            if path not in listed]
+
+
 def check_formats(language):
     faults = []
     for folder in FOLDERS.values():
@@ -204,6 +215,7 @@ def check_replay(language):
 
 CHECKS = [
     ("every-string-has-a-translation", check_complete),
+    ("every-file-with-words-is-gathered", check_gathered),
     ("formats-and-plurals-are-sound", check_formats),
     ("code-is-not-translated", check_code),
     ("names-of-objects-are-the-same", check_names),
