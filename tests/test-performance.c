@@ -357,8 +357,8 @@ test_the_same_seed_gives_the_same_sites (void)
     next = one;
     third = fresh_sites_next ("random 7", 3, &next);
     g_assert_cmpuint (next, >, one);
-    g_assert_true (
-        memcmp (first->set->sites, third->set->sites, 7 * sizeof (Site)) != 0);
+    g_assert_true (first->set->sites[0].x != third->set->sites[0].x
+                   || first->set->sites[0].y != third->set->sites[0].y);
   }
 }
 

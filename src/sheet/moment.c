@@ -72,23 +72,24 @@ picture_view (Session *session, MomentView view)
 
 static void
 paint (Session *session,
-       Picture *picture,
+       const Picture *what,
        const Appearance *appearance,
        cairo_t *cr,
        const cairo_rectangle_t *area)
 {
+  Picture picture = *what;
   Theme theme;
 
   theme_init (&theme, appearance);
-  picture->theme = &theme;
-  picture->width = area->width * PX_PER_PT;
-  picture->height = area->height * PX_PER_PT;
+  picture.theme = &theme;
+  picture.width = area->width * PX_PER_PT;
+  picture.height = area->height * PX_PER_PT;
   cairo_save (cr);
   cairo_rectangle (cr, area->x, area->y, area->width, area->height);
   cairo_clip (cr);
   cairo_translate (cr, area->x, area->y);
   cairo_scale (cr, 1 / PX_PER_PT, 1 / PX_PER_PT);
-  picture_paint (picture, session_get_frame (session), cr);
+  picture_paint (&picture, session_get_frame (session), cr);
   cairo_restore (cr);
   cairo_rectangle (cr, area->x, area->y, area->width, area->height);
   cairo_set_line_width (cr, FRAME_WIDTH);

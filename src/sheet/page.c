@@ -285,7 +285,9 @@ pages_paint (Pages *pages,
              const PdfWords *words,
              cairo_t *cr)
 {
-  g_assert (page < pages_count (pages));
+  const guint n = pages_count (pages);
+
+  g_assert (page < n);
   cairo_set_source_rgb (cr, 1, 1, 1);
   cairo_rectangle (cr, 0, 0, pages->paper->width, pages->paper->height);
   cairo_fill (cr);
