@@ -96,6 +96,32 @@ test_same (void)
                    b->n_events * sizeof *b->events);
 }
 
+/* So is the frame, which the thread makes too, wherever one looks at it. */
+static void
+test_frame (void)
+{
+  g_autoptr (Session) patient = patient_new (N_LARGE);
+  g_autoptr (Session) other = patient_new (N_LARGE);
+  guint64 hashes[2];
+
+  session_set_patient (other, FALSE);
+  for (guint i = 0; i < 2; i++) {
+    Session *session = i == 0 ? patient : other;
+
+    session_set_step (session, 3 * session_get_n_steps (session) / 4);
+    session_move_site (session, 7, (Site){ 0.25, 0.5 }, NULL);
+    wait (session);
+    hashes[i] = frame_hash (session_get_frame (session));
+    session_next (session);
+    hashes[i] ^= 3 * frame_hash (session_get_frame (session));
+    session_add_site (session, (Site){ 0.5, 0.25 }, NULL);
+    session_next (session);
+    wait (session);
+    hashes[i] ^= 5 * frame_hash (session_get_frame (session));
+  }
+  g_assert_cmpuint (hashes[0], ==, hashes[1]);
+}
+
 static void
 test_cancel (void)
 {
@@ -308,6 +334,8 @@ main (int argc, char **argv)
   g_test_add_func ("/session-work/the-session-stays-as-it-was-until-then",
                    test_stays);
   g_test_add_func ("/session-work/the-hull-is-the-one-made-at-once", test_same);
+  g_test_add_func ("/session-work/the-frame-is-the-one-made-at-once",
+                   test_frame);
   g_test_add_func ("/session-work/what-is-given-up-changes-nothing",
                    test_cancel);
   g_test_add_func ("/session-work/what-cannot-be-compared-is-told-at-once",

@@ -1,5 +1,6 @@
 /* The recorder: what it keeps, and what it refuses. */
 #include "fixture.h"
+#include "hull.h"
 #include "pseudocode.h"
 #include "trace-recorder.h"
 
@@ -168,6 +169,57 @@ test_pseudocode_line_belongs_to_the_event (void)
   }
 }
 
+/* Who listens to so many rounds and no more. */
+typedef struct Listener {
+  GArray *events;
+  guint n_rounds, n_most;
+} Listener;
+
+static void
+on_event (const Event *event, void *user)
+{
+  Listener *listener = user;
+
+  listener->n_rounds += event->kind == EVENT_SELECT;
+  g_array_append_val (listener->events, *event);
+}
+
+static bool
+is_wanted (void *user)
+{
+  const Listener *listener = user;
+
+  return listener->n_rounds < listener->n_most;
+}
+
+static void
+check_given_up (const Fixture *fixture)
+{
+  const Trace *trace = fixture->trace;
+  g_autoptr (GArray) events = g_array_new (FALSE, TRUE, sizeof (Event));
+  const HullHook hook = { on_event, &(Listener){ events, 0, 2 } };
+  const gboolean is_whole
+      = hull_build_while (trace->set, &trace->order, &hook, is_wanted);
+
+  g_assert_cmpint (is_whole, ==, trace->n_rounds < 2);
+  g_assert_cmpuint (events->len, ==,
+                    is_whole ? trace->n_events : trace->rounds[1].end);
+  for (guint i = 0; i < events->len; i++) {
+    const Event *a = &g_array_index (events, Event, i);
+    const Event *b = &trace->events[i];
+
+    g_assert_cmpint (a->kind, ==, b->kind);
+    g_assert_cmpuint (a->facet, ==, b->facet);
+    g_assert_cmpuint (a->site, ==, b->site);
+  }
+}
+
+static void
+test_given_up (void)
+{
+  fixture_for_each (3, 20, ORDER_FURTHEST, check_given_up);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -178,6 +230,8 @@ main (int argc, char **argv)
                    test_every_standing_facet_has_three_neighbours);
   g_test_add_func ("/trace/events-fed-again-give-the-same-trace",
                    test_events_fed_again_give_the_same_trace);
+  g_test_add_func ("/trace/a-hull-that-is-given-up-ends-with-a-round",
+                   test_given_up);
   g_test_add_func ("/trace/an-event-left-out-or-doubled-is-refused",
                    test_event_left_out_or_doubled_is_refused);
   g_test_add_func ("/trace/numbers-out-of-range-are-refused",

@@ -91,6 +91,9 @@ typedef struct HullHook {
   void *user;
 } HullHook;
 
+/* Whether whoever listens, HullHook.user, still wants to. */
+typedef bool (*HullWanted) (void *user);
+
 /* Returns: the kind in lower case, as in trace files: "horizon". */
 const char *event_kind_name (EventKind kind);
 

@@ -61,6 +61,8 @@ typedef struct HullBuilder {
   const uint32_t *first; /* of a SiteSet; NULL: duplicates are found and
                             dropped on the way */
   const HullHook *hook;  /* never looked at in the batch build */
+  HullWanted is_wanted;  /* nor this; NULL: to the end */
+  bool is_given_up;
 
   HullFacet *facets;
   uint32_t n_facets, facets_room;

@@ -65,6 +65,19 @@ retire_visible (HullBuilder *b, uint32_t apex)
     hull_tell (b, EVENT (EVENT_RETIRE, b->visible[i], apex));
 }
 
+/* Whether another round is wanted. */
+static bool
+wants_more (HullBuilder *b)
+{
+#ifdef HULL_BATCH
+  (void)b;
+  return true;
+#else
+  b->is_given_up = b->is_wanted != NULL && !b->is_wanted (b->hook->user);
+  return !b->is_given_up;
+#endif
+}
+
 bool
 hull_run (HullBuilder *b)
 {
@@ -75,7 +88,7 @@ hull_run (HullBuilder *b)
   simplex_build (b);
   outside_partition (b);
 
-  while ((facet = outside_next_facet (b)) != INDEX_NONE) {
+  while (wants_more (b) && (facet = outside_next_facet (b)) != INDEX_NONE) {
     const uint32_t apex = outside_select (b, facet);
 
     horizon_collect_visible (b, facet, apex);
@@ -123,12 +136,15 @@ run (HullBuilder *b)
   return hull_run (b);
 }
 
-/* From the first event to the last. */
-static void
+/* From the first event to the last.
+ *
+ * Returns: false when it was given up. */
+static bool
 build (const SiteSet *set,
        const Order *order,
        const HullChoices *choices,
-       const HullHook *hook)
+       const HullHook *hook,
+       HullWanted is_wanted)
 {
   OrderList list = order_list (order, set->sites, set->n_sites);
   HullBuilder b = { .sites = set->sites,
@@ -136,6 +152,7 @@ build (const SiteSet *set,
                     .first = set->first,
                     .hook = hook,
                     .choices = choices,
+                    .is_wanted = is_wanted,
                     .n_young_max = UINT32_MAX,
                     .list = list.sites,
                     .n_listed = list.n_listed };
@@ -143,16 +160,27 @@ build (const SiteSet *set,
   tell_duplicates (&b);
   if (!run (&b))
     hull_tell (&b, EVENT (EVENT_FLAT, INDEX_NONE, INDEX_NONE));
-  hull_tell (&b, EVENT (EVENT_COMPLETE, INDEX_NONE, INDEX_NONE));
+  if (!b.is_given_up)
+    hull_tell (&b, EVENT (EVENT_COMPLETE, INDEX_NONE, INDEX_NONE));
   hull_clear (&b);
   free (b.facets);
   free (list.sites);
+  return !b.is_given_up;
 }
 
 void
 hull_build (const SiteSet *set, const Order *order, const HullHook *hook)
 {
-  build (set, order, NULL, hook);
+  build (set, order, NULL, hook, NULL);
+}
+
+bool
+hull_build_while (const SiteSet *set,
+                  const Order *order,
+                  const HullHook *hook,
+                  HullWanted is_wanted)
+{
+  return build (set, order, NULL, hook, is_wanted);
 }
 
 void
@@ -160,7 +188,7 @@ hull_build_chosen (const SiteSet *set,
                    const HullChoices *choices,
                    const HullHook *hook)
 {
-  build (set, &(Order){ ORDER_FURTHEST, 0 }, choices, hook);
+  build (set, &(Order){ ORDER_FURTHEST, 0 }, choices, hook, NULL);
 }
 
 #endif

@@ -18,8 +18,17 @@
  */
 void hull_build (const SiteSet *set, const Order *order, const HullHook *hook);
 
-/* The same in ORDER_FURTHEST, where somebody else has chosen. A choice that
- * QuickHull may not make is a mistake of the programmer. */
+/* The same as long as it is wanted, which is asked before each round: else the
+ * events stop after a round, without EVENT_COMPLETE.
+ *
+ * Returns: false when it was given up. */
+bool hull_build_while (const SiteSet *set,
+                       const Order *order,
+                       const HullHook *hook,
+                       HullWanted is_wanted);
+
+/* As hull_build() in ORDER_FURTHEST, where somebody else has chosen. A choice
+ * that QuickHull may not make is a mistake of the programmer. */
 void hull_build_chosen (const SiteSet *set,
                         const HullChoices *choices,
                         const HullHook *hook);

@@ -46,18 +46,22 @@ typedef struct Watched {
   RunWatch *watch;
 } Watched;
 
-/* QuickHull takes no orders: when nobody waits any more it runs to its end,
- * but nothing of it is kept. */
 static void
 on_event (const Event *event, void *user)
 {
   const Watched *watched = user;
 
-  if (g_atomic_int_get (&watched->watch->is_cancelled))
-    return;
   trace_recorder_hook (event, watched->recorder);
   if (event->kind == EVENT_SELECT || event->kind == EVENT_DUPLICATE)
     g_atomic_int_inc (&watched->watch->n_done);
+}
+
+static bool
+is_wanted (void *user)
+{
+  const Watched *watched = user;
+
+  return !g_atomic_int_get (&watched->watch->is_cancelled);
 }
 
 Run *
@@ -74,7 +78,7 @@ run_new_watched (const Site *sites,
   if (set == NULL)
     return NULL;
   watched.recorder = trace_recorder_new (set, order);
-  hull_build (set, order, &hook);
+  hull_build_while (set, order, &hook, is_wanted);
   trace = trace_recorder_finish (watched.recorder);
   if (trace != NULL)
     return put_together (set, trace);

@@ -32,7 +32,7 @@ typedef struct RunWatch {
 
 /* The same, seen from another thread.
  *
- * Returns: NULL also when it was cancelled. */
+ * Returns: NULL also when it was cancelled, within a round of that. */
 Run *run_new_watched (const Site *sites,
                       guint n_sites,
                       const Order *order,

@@ -19,9 +19,7 @@ session_get_other_order (Session *session)
 static void
 drop_other (Session *session)
 {
-  if (session->has_other_frame)
-    frame_clear (&session->other_frame);
-  session->has_other_frame = FALSE;
+  g_clear_pointer (&session->other_frame, kept_frame_unref);
   g_clear_pointer (&session->other, run_unref);
 }
 
@@ -91,18 +89,24 @@ session_get_other_step (Session *session)
   return run_same_place (session->run, session->step, other);
 }
 
-const Frame *
-session_get_other_frame (Session *session)
+KeptFrame *
+session_keep_other_frame (Session *session)
 {
   const guint step = session_get_other_step (session);
 
-  if (session->has_other_frame && session->other_frame.step == step)
-    return &session->other_frame;
-  if (session->has_other_frame)
-    frame_clear (&session->other_frame);
-  frame_init (&session->other_frame, session_get_other_trace (session), step);
-  session->has_other_frame = TRUE;
-  return &session->other_frame;
+  if (session->other_frame != NULL && session->other_frame->frame.step == step)
+    return session->other_frame;
+  g_clear_pointer (&session->other_frame, kept_frame_unref);
+  session->other_frame
+      = kept_frame_new (session_get_other_trace (session), step);
+  kept_frame_share (session->other_frame, get_other (session));
+  return session->other_frame;
+}
+
+const Frame *
+session_get_other_frame (Session *session)
+{
+  return &session_keep_other_frame (session)->frame;
 }
 
 gboolean

@@ -3,6 +3,7 @@
 #define SESSION_PRIVATE_H
 
 #include "history.h"
+#include "kept-frame.h"
 #include "run.h"
 #include "session-work.h"
 #include "session.h"
@@ -15,18 +16,16 @@ struct _Session {
 
   Run *run;
   guint step;
-  Frame frame;
-  gboolean has_frame; /* frame is that of run and step */
+  KeptFrame *frame; /* of run and step; NULL: not made yet */
 
   ExhibitKind exhibit_kind;
   Exhibit *exhibit; /* of the run; NULL: the lifts, or not made yet */
   guint exhibit_step;
   ExhibitTurn turn;
 
-  Order other_order; /* of EXHIBIT_COMPARE */
-  Run *other;        /* NULL: not made yet */
-  Frame other_frame;
-  gboolean has_other_frame;
+  Order other_order;       /* of EXHIBIT_COMPARE */
+  Run *other;              /* NULL: not made yet */
+  KeptFrame *other_frame;  /* NULL: not made yet */
   gboolean compares_space; /* else the plane */
 
   Views views;
@@ -75,7 +74,8 @@ struct _Session {
   gboolean is_patient;     /* large sets are worked on in a thread */
   SessionWork *work;       /* that goes on; its task owns it */
   guint n_works, finished; /* numbers of the last one begun and finished */
-  Run *ready;              /* that a thread has just made */
+  Run *ready;              /* that a thread has just made … */
+  KeptFrame *ready_frame;  /* … and where it will be looked at */
   gboolean is_deferred;    /* the edit that was asked for last */
   gboolean ends_later;     /* a drag, when its last run is there */
 
@@ -91,6 +91,10 @@ void session_release (Session *session);
 /* Puts another run in place, at @step. Takes @run. */
 void session_put_run (Session *session, Run *run, guint step);
 void session_put_step (Session *session, guint step);
+
+/* The frames of the session and of the run beside it, which can be kept. */
+KeptFrame *session_keep_frame (Session *session);
+KeptFrame *session_keep_other_frame (Session *session);
 
 /* The run has become another: so does the exhibit of it, at the same place. */
 void session_renew_exhibit (Session *session);

@@ -7,13 +7,31 @@ struct SessionWork {
   Site *own_sites;
   char *own_name;
   RunWatch watch;
+  Run *before;       /* and the step of it that is looked at, */
+  guint step;        /* so that the frame can be made, too */
   gboolean has_next; /* a drag that goes on */
   guint next_site;
   Site next_to;
 };
 
+/* What the thread hands over. */
+typedef struct Made {
+  Run *run;
+  KeptFrame *frame;
+} Made;
+
+static void
+made_free (gpointer data)
+{
+  Made *made = data;
+
+  g_clear_pointer (&made->frame, kept_frame_unref);
+  g_clear_pointer (&made->run, run_unref);
+  g_free (made);
+}
+
 static SessionWork *
-work_new (const Edit *edit)
+work_new (Session *session, const Edit *edit)
 {
   SessionWork *work = g_new0 (SessionWork, 1);
 
@@ -23,6 +41,9 @@ work_new (const Edit *edit)
   work->own_name = g_strdup (edit->name);
   work->edit.sites = work->own_sites;
   work->edit.name = work->own_name;
+  work->before
+      = run_ref (session->is_dragging ? session->drag_run : session->run);
+  work->step = session->is_dragging ? session->drag_step : session->step;
   return work;
 }
 
@@ -33,24 +54,42 @@ work_free (gpointer data)
 
   g_free (work->own_sites);
   g_free (work->own_name);
+  run_unref (work->before);
   g_free (work);
 }
 
+/* The step at which the session will most likely look at the run. */
+static guint
+step_of (const SessionWork *work, const Run *run)
+{
+  const gboolean is_new
+      = work->edit.kind == EDIT_REPLACE || work->edit.kind == EDIT_OPEN;
+
+  return is_new ? run->trace->n_events
+                : run_same_place (work->before, work->step, run);
+}
+
 static void
-make_run (GTask *task,
-          gpointer source,
-          gpointer task_data,
-          GCancellable *cancellable)
+make (GTask *task,
+      gpointer source,
+      gpointer task_data,
+      GCancellable *cancellable)
 {
   SessionWork *work = task_data;
   const Edit *edit = &work->edit;
+  Run *run = run_new_watched (edit->sites, edit->n_sites, &edit->order,
+                              &work->watch);
+  Made *made = NULL;
 
   (void)source;
   (void)cancellable;
-  g_task_return_pointer (
-      task,
-      run_new_watched (edit->sites, edit->n_sites, &edit->order, &work->watch),
-      (GDestroyNotify)run_unref);
+  if (run != NULL) {
+    made = g_new0 (Made, 1);
+    made->run = run;
+    if (!g_atomic_int_get (&work->watch.is_cancelled))
+      made->frame = kept_frame_new (run->trace, step_of (work, run));
+  }
+  g_task_return_pointer (task, made, made_free);
 }
 
 /* Asks for the edit as if for the first time; its run is there now. */
@@ -89,21 +128,16 @@ ask_again (Session *session, const Edit *edit)
   }
 }
 
+/* What the edit leads to is told while what the thread has made is there. */
 static void
-on_made (GObject *source, GAsyncResult *result, gpointer user)
+carry_out (Session *session, SessionWork *work, Made *made)
 {
-  Session *session = HULL2VD_SESSION (source);
-  SessionWork *work = g_task_get_task_data (G_TASK (result));
-  g_autoptr (Run) run = g_task_propagate_pointer (G_TASK (result), NULL);
-
-  (void)user;
-  if (session->work != work || run == NULL)
-    return;
   session_hold (session);
   session->work = NULL;
   session->finished = session->n_works;
   session_tell (session, CHANGED_WORK);
-  session->ready = g_steal_pointer (&run);
+  session->ready = g_steal_pointer (&made->run);
+  session->ready_frame = g_steal_pointer (&made->frame);
   ask_again (session, &work->edit);
   g_clear_pointer (&session->ready, run_unref);
   if (work->has_next)
@@ -111,6 +145,22 @@ on_made (GObject *source, GAsyncResult *result, gpointer user)
   if (session->ends_later && session->work == NULL)
     session_end_edit (session);
   session_release (session);
+  g_clear_pointer (&session->ready_frame, kept_frame_unref);
+}
+
+static void
+on_made (GObject *source, GAsyncResult *result, gpointer user)
+{
+  Session *session = HULL2VD_SESSION (source);
+  SessionWork *work = g_task_get_task_data (G_TASK (result));
+  Made *made = g_task_propagate_pointer (G_TASK (result), NULL);
+
+  (void)user;
+  if (made == NULL)
+    return;
+  if (session->work == work)
+    carry_out (session, work, made);
+  made_free (made);
 }
 
 Run *
@@ -146,11 +196,11 @@ session_defer (Session *session, const Edit *edit)
     return FALSE;
   session_hold (session);
   session_cancel (session);
-  session->work = work_new (edit);
+  session->work = work_new (session, edit);
   session->n_works += 1;
   task = g_task_new (session, NULL, on_made, NULL);
   g_task_set_task_data (task, session->work, work_free);
-  g_task_run_in_thread (task, make_run);
+  g_task_run_in_thread (task, make);
   session_tell (session, CHANGED_WORK);
   session_release (session);
   return TRUE;

@@ -64,8 +64,7 @@ session_finalize (GObject *object)
 {
   Session *session = HULL2VD_SESSION (object);
 
-  if (session->has_frame)
-    frame_clear (&session->frame);
+  g_clear_pointer (&session->frame, kept_frame_unref);
   exhibit_free (session->exhibit);
   session_renew_other (session);
   g_clear_pointer (&session->run, run_unref);
@@ -119,14 +118,6 @@ session_release (Session *session)
   session_tell (session, 0);
 }
 
-static void
-drop_frame (Session *session)
-{
-  if (session->has_frame)
-    frame_clear (&session->frame);
-  session->has_frame = FALSE;
-}
-
 void
 session_put_run (Session *session, Run *run, guint step)
 {
@@ -136,7 +127,7 @@ session_put_run (Session *session, Run *run, guint step)
   session->look.has_preview = FALSE;
   /* What a thread works on follows from what was there. */
   session_cancel (session);
-  drop_frame (session);
+  g_clear_pointer (&session->frame, kept_frame_unref);
   run_unref (session->run);
   session->run = run;
   session->look.hues = run->hues;
@@ -161,7 +152,7 @@ session_put_step (Session *session, guint step)
   if (session->exhibit_kind > EXHIBIT_COMPARE) {
     session->exhibit_step = step;
   } else {
-    drop_frame (session);
+    g_clear_pointer (&session->frame, kept_frame_unref);
     session->step = step;
     session_question_refresh (session);
   }
@@ -191,13 +182,34 @@ session_set_step (Session *session, guint step)
   session_release (session);
 }
 
+/* Returns: (transfer full): what a thread has made, if it is for this. */
+static KeptFrame *
+take_ready_frame (Session *session)
+{
+  const KeptFrame *ready = session->ready_frame;
+
+  return ready != NULL && ready->frame.trace == session->run->trace
+                 && ready->frame.step == session->step
+             ? g_steal_pointer (&session->ready_frame)
+             : NULL;
+}
+
+KeptFrame *
+session_keep_frame (Session *session)
+{
+  if (session->frame != NULL)
+    return session->frame;
+  session->frame = take_ready_frame (session);
+  if (session->frame == NULL)
+    session->frame = kept_frame_new (session->run->trace, session->step);
+  kept_frame_share (session->frame, session->run);
+  return session->frame;
+}
+
 const Frame *
 session_get_frame (Session *session)
 {
-  if (!session->has_frame)
-    frame_init (&session->frame, session->run->trace, session->step);
-  session->has_frame = TRUE;
-  return &session->frame;
+  return &session_keep_frame (session)->frame;
 }
 
 StepSize
