@@ -131,6 +131,84 @@ test_two_programs_do_not_wipe_out_each_other (void)
   g_assert_cmpstr (first->learner, ==, second->learner);
 }
 
+/* The same lesson in two programs: what was answered in either counts. */
+static void
+test_two_programs_in_one_lesson_keep_the_answers_of_both (void)
+{
+  Session *first = learner_start (LEARNER_LESSON);
+  Session *second = learner_start (LEARNER_LESSON);
+
+  session_set_stop (first, 1);
+  learner_answer (first, "f0 f1");
+  session_set_stop (second, 1);
+  learner_act (second, "show-answer", NULL);
+  session_set_stop (second, 2);
+  learner_act (second, "show-answer", NULL);
+  session_set_stop (first, 3);
+  learner_end (first);
+  learner_end (second);
+  first = learner_start (LEARNER_LESSON);
+  g_assert_cmpint (learner_record (first, 1)->outcome, ==, OUTCOME_AT_ONCE);
+  g_assert_cmpint (learner_record (first, 2)->outcome, ==, OUTCOME_SHOWN);
+  g_assert_cmpuint (session_get_record (first)->furthest, ==, 3);
+  learner_end (first);
+}
+
+#define N_AT_ONCE 12
+
+static void *
+write_lessons (void *name)
+{
+  g_autofree char *path = learner_file ("progress.json");
+  g_autoptr (Progress) progress = progress_new (path);
+
+  for (guint i = 0; i < N_AT_ONCE; i++) {
+    g_autofree char *key = g_strdup_printf ("%s%u", (char *)name, i);
+
+    progress_lesson (progress, key)->is_changed = TRUE;
+    progress->is_changed = TRUE;
+    g_assert_true (progress_write (progress, NULL));
+  }
+  return NULL;
+}
+
+static void
+test_programs_that_write_at_once_lose_nothing (void)
+{
+  GThread *other = g_thread_new ("other", write_lessons, (char *)"b");
+  g_autofree char *path = learner_file ("progress.json");
+  g_autoptr (Progress) progress = progress_new (path);
+
+  write_lessons ((char *)"a");
+  g_thread_join (other);
+  g_assert_true (progress_read (progress, NULL));
+  g_assert_cmpuint (progress->lessons->len, ==, 2 * N_AT_ONCE);
+}
+
+static void
+test_what_another_program_has_cleared_stays_cleared (void)
+{
+  g_autofree char *path = learner_file ("progress.json");
+  Session *first = learner_start (LEARNER_LESSON), *second;
+  g_autoptr (Progress) third = progress_new (path);
+
+  learner_answer_all (first);
+  learner_end (first);
+  first = learner_start (LEARNER_LESSON);
+  second = learner_start (LEARNER_LESSON);
+  g_free (session_clear_progress (second));
+  learner_end (second);
+  progress_lesson (session_get_progress (first), "other")->is_changed = TRUE;
+  session_get_progress (first)->is_changed = TRUE;
+  learner_end (first);
+  g_assert_true (progress_read (third, NULL));
+  for (guint i = 0; i < third->lessons->len; i++)
+    g_assert_cmpuint (
+        lesson_record_count (g_ptr_array_index (third->lessons, i),
+                             OUTCOME_AT_ONCE),
+        ==, 0);
+}
+
 static void
 test_clearing_forgets_and_keeps_a_copy (void)
 {
@@ -170,6 +248,12 @@ static const LearnerTest tests[] = {
     test_answers_that_do_not_fit_are_no_answers },
   { "/progress-file/two-programs-do-not-wipe-out-each-other",
     test_two_programs_do_not_wipe_out_each_other },
+  { "/progress-file/two-programs-in-one-lesson-keep-the-answers-of-both",
+    test_two_programs_in_one_lesson_keep_the_answers_of_both },
+  { "/progress-file/programs-that-write-at-once-lose-nothing",
+    test_programs_that_write_at_once_lose_nothing },
+  { "/progress-file/what-another-program-has-cleared-stays-cleared",
+    test_what_another_program_has_cleared_stays_cleared },
   { "/progress-file/clearing-forgets-and-keeps-a-copy",
     test_clearing_forgets_and_keeps_a_copy },
   { "/progress-file/a-place-that-cannot-be-written-is-told",

@@ -394,50 +394,46 @@ progress_open (Progress *progress)
                           error->message, kept);
 }
 
-/* What others have written since: of lessons that did not change here. */
+/* What others have written since. */
 static void
 merge (Progress *progress)
 {
   g_autoptr (Progress) fresh = progress_new (progress->path);
 
-  if (!progress_read (fresh, NULL))
-    return;
-  g_free (progress->learner);
-  progress->learner = g_strdup (fresh->learner);
-  for (guint i = 0; i < fresh->lessons->len;) {
-    const LessonRecord *theirs = g_ptr_array_index (fresh->lessons, i);
-    LessonRecord *ours = progress_find (progress, theirs->key);
-    guint index;
+  if (progress_read (fresh, NULL))
+    progress_merge (progress, fresh);
+}
 
-    if (ours != NULL && ours->is_changed) {
-      i += 1;
-      continue;
-    }
-    if (ours != NULL && g_ptr_array_find (progress->lessons, ours, &index))
-      g_ptr_array_remove_index (progress->lessons, index);
-    g_ptr_array_add (progress->lessons,
-                     g_ptr_array_steal_index (fresh->lessons, i));
-  }
+static gboolean
+write_merged (Progress *progress, GError **error)
+{
+  g_autofree char *text = NULL;
+  gsize length;
+
+  if (!progress->is_cleared)
+    merge (progress);
+  text = to_json (progress, &length);
+  return document_write (progress->path, text, length, error);
 }
 
 gboolean
 progress_write (Progress *progress, GError **error)
 {
   g_autofree char *folder = g_path_get_dirname (progress->path);
-  g_autofree char *text = NULL;
-  gsize length;
+  gboolean is_written;
+  int lock;
 
   if (!progress->is_changed)
     return TRUE;
-  if (!progress->is_cleared)
-    merge (progress);
-  text = to_json (progress, &length);
   if (g_mkdir_with_parents (folder, 0700) != 0) {
     g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_CANNOT_WRITE, "%s: %s",
                  folder, g_strerror (errno));
     return FALSE;
   }
-  if (!document_write (progress->path, text, length, error))
+  lock = progress_lock (folder);
+  is_written = write_merged (progress, error);
+  progress_unlock (lock);
+  if (!is_written)
     return FALSE;
   for (guint i = 0; i < progress->lessons->len; i++)
     ((LessonRecord *)g_ptr_array_index (progress->lessons, i))->is_changed

@@ -133,13 +133,26 @@ gboolean progress_read (Progress *progress, GError **error);
 char *progress_open (Progress *progress);
 
 /* Writes its file, whole or not at all, when something has changed; what other
- * programs have written of other lessons since stays. */
+ * programs have written since stays. */
 gboolean progress_write (Progress *progress, GError **error);
 
 /* Forgets all; what was there is kept beside it, with a tilde.
  *
  * Returns: (transfer full): where, or NULL: there was no file. */
 char *progress_clear (Progress *progress);
+
+/* progress-merge.c: several programs, one file. */
+
+/* Takes from @theirs, which was read just now, what another program has done
+ * since: all of the lessons that did not change here, and each answer in those
+ * that did. */
+void progress_merge (Progress *progress, Progress *theirs);
+
+/* Others wait while the file in @folder is read and written.
+ *
+ * Returns: what to hand to progress_unlock(). */
+int progress_lock (const char *folder);
+void progress_unlock (int lock);
 
 G_END_DECLS
 
