@@ -1,5 +1,14 @@
 /* Lessons that attack: each is refused by the program itself, with its place
- * and a reason, in bounded time and memory, and nothing comes of it. */
+ * and a reason, in bounded time and memory, and nothing comes of it.
+ *
+ * Here: bytes, sizes, syntax, numbers, loops, files, what writes or runs,
+ * markup. Elsewhere: every prefix and flipped bit, places that are none
+ * (test-lesson-refusals), names that steer a terminal (test-lesson, test-cli),
+ * expectations that fail, and how many are told (test-replay), degenerate sets
+ * (test-flat, test-site, test-session), pictures of no or any size (test-cli,
+ * test-picture), files that change or go while they are open
+ * (test-lesson-watch), progress that two programs keep (test-progress-file).
+ */
 #include "lesson-text.h"
 #include "limited.h"
 

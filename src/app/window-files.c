@@ -325,12 +325,19 @@ on_delete (GtkWidget *widget, GdkEvent *event, gpointer user)
   return TRUE;
 }
 
+static void
+tell_faults (const LessonFaults *faults, gpointer user)
+{
+  lesson_panel_set_faults (user, faults);
+}
+
 void
 window_files_init (Hull2vdWindow *window)
 {
   GtkWidget *widget = GTK_WIDGET (window);
 
-  window->watch = lesson_watch_new (window->session, window->lesson_panel);
+  window->watch
+      = lesson_watch_new (window->session, tell_faults, window->lesson_panel);
   gtk_drag_dest_set (widget, GTK_DEST_DEFAULT_ALL, NULL, 0, GDK_ACTION_COPY);
   gtk_drag_dest_add_uri_targets (widget);
   gtk_drag_dest_add_text_targets (widget);

@@ -64,10 +64,11 @@ read_site_file (Head *head,
 {
   g_autoptr (GError) reason = NULL;
 
-  if (lesson_read_site_file (head->folder, name, head->lesson, &reason)) {
-    head->lesson->site_file = g_strdup (name);
+  /* Also one that is missing: it may come. */
+  g_free (head->lesson->site_file);
+  head->lesson->site_file = g_strdup (name);
+  if (lesson_read_site_file (head->folder, name, head->lesson, &reason))
     return TRUE;
-  }
   if (reason->code == LESSON_ERROR_SITES)
     g_propagate_error (error, g_steal_pointer (&reason));
   else

@@ -329,6 +329,7 @@ lesson_parse_all (const char *text,
   read_source (source, folder, lesson, faults);
   if (lesson->sites != NULL && lesson->stops->len > 0)
     lesson_fill_states (lesson, faults);
+  faults->site_file = g_strdup (lesson->site_file);
   return faults->errors->len == 0 ? g_steal_pointer (&lesson) : NULL;
 }
 

@@ -341,6 +341,7 @@ lesson_faults_free (LessonFaults *faults)
 {
   g_ptr_array_unref (faults->errors);
   g_array_unref (faults->html_lines);
+  g_free (faults->site_file);
   g_free (faults);
 }
 

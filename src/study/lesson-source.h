@@ -74,6 +74,7 @@ gboolean lesson_line_blame (const LessonLine *line,
 typedef struct LessonFaults {
   GPtrArray *errors;  /* of GError */
   GArray *html_lines; /* of guint: where HTML is left out */
+  char *site_file;    /* that the lesson names, or NULL: none */
 } LessonFaults;
 
 LessonFaults *lesson_faults_new (void);

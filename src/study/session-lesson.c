@@ -135,8 +135,8 @@ first_state (const LessonStop *stop)
   return stop->ask_state != NULL ? stop->ask_state : stop->state;
 }
 
-void
-session_set_lesson (Session *session, Lesson *lesson)
+static void
+put_lesson (Session *session, Lesson *lesson)
 {
   Lesson *old = session->lesson;
 
@@ -166,20 +166,59 @@ session_set_lesson (Session *session, Lesson *lesson)
   session_release (session);
 }
 
-/* The stop of @lesson that was @stop of @old. */
-static guint
-find_stop (const Lesson *lesson, const Lesson *old, guint stop)
+void
+session_forget_lost_stop (Session *session)
+{
+  g_clear_pointer (&session->sought, lesson_unref);
+}
+
+void
+session_set_lesson (Session *session, Lesson *lesson)
+{
+  session_forget_lost_stop (session);
+  put_lesson (session, lesson);
+}
+
+/* Finds the stop of @lesson that was @stop of @old.
+ *
+ * Returns: FALSE: there is none; *@found is the nearest. */
+static gboolean
+find_stop (const Lesson *lesson, const Lesson *old, guint stop, guint *found)
 {
   const char *title = lesson_stop (old, stop)->title;
 
+  *found = MIN (stop, lesson->stops->len - 1);
   /* Of several with one title, the one at this place. */
-  if (stop < lesson->stops->len
-      && g_str_equal (lesson_stop (lesson, stop)->title, title))
-    return stop;
+  if (g_str_equal (lesson_stop (lesson, *found)->title, title))
+    return TRUE;
   for (guint i = 0; i < lesson->stops->len; i++)
-    if (g_str_equal (lesson_stop (lesson, i)->title, title))
-      return i;
-  return MIN (stop, lesson->stops->len - 1);
+    if (g_str_equal (lesson_stop (lesson, i)->title, title)) {
+      *found = i;
+      return TRUE;
+    }
+  return FALSE;
+}
+
+/* A file that is cut off while it is saved may be a lesson too, one without
+ * the stop where the person is. They are back there when it is whole, unless
+ * they have gone elsewhere. */
+static guint
+follow_stop (Session *session, const Lesson *lesson)
+{
+  const gboolean is_lost
+      = session->sought != NULL && session->stop == session->stop_instead;
+  g_autoptr (Lesson) old
+      = lesson_ref (is_lost ? session->sought : session->lesson);
+  const guint stop = is_lost ? session->sought_stop : session->stop;
+  guint found;
+
+  session_forget_lost_stop (session);
+  if (find_stop (lesson, old, stop, &found))
+    return found;
+  session->sought = g_steal_pointer (&old);
+  session->sought_stop = stop;
+  session->stop_instead = found;
+  return found;
 }
 
 void
@@ -194,9 +233,9 @@ session_renew_lesson (Session *session, Lesson *lesson)
     session_set_lesson (session, lesson);
     return;
   }
-  stop = find_stop (lesson, session->lesson, session->stop);
+  stop = follow_stop (session, lesson);
   session_hold (session);
-  session_set_lesson (session, lesson);
+  put_lesson (session, lesson);
   session_set_stop (session, stop);
   session_set_step_size (session, step_size);
   session_set_camera (session, &camera);

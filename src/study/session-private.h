@@ -58,6 +58,9 @@ struct _Session {
   Exercise *another;    /* on other sites, in place of the stop's */
   guint64 another_seed;
   GArray *answers;       /* of SceneAnswer: what the look shows */
+  Lesson *sought;        /* whose stop a renewed lesson had not; NULL: none */
+  guint sought_stop;     /* that stop */
+  guint stop_instead;    /* where the session went */
   gboolean is_replaying; /* a lesson's commands are carried out: no history,
                             and the stop does not follow the step */
 
@@ -202,6 +205,9 @@ void session_forget_site (Session *session, guint site);
 
 /* Lets the stop follow the step from @old_step. */
 void session_follow_step (Session *session, guint old_step);
+
+/* A stop that a renewed lesson had not is sought no longer. */
+void session_forget_lost_stop (Session *session);
 
 /* Takes the state as it is; free with stop_state_free(). */
 StopState *session_get_state (Session *session);

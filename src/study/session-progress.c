@@ -152,7 +152,8 @@ note_stop (Session *session, LessonRecord *lesson)
   if (session->has_moved)
     lesson->stop = stop;
   lesson->n_stops = session->lesson->stops->len;
-  lesson->furthest = MAX (MIN (furthest, lesson->n_stops - 1), stop);
+  /* Not less in a file that is cut off while it is saved. */
+  lesson->furthest = MAX (furthest, stop);
   return lesson->stop != before || lesson->furthest != furthest;
 }
 

@@ -73,6 +73,7 @@ session_finalize (GObject *object)
   session_question_forget (session);
   session_progress_end (session);
   g_array_unref (session->answers);
+  session_forget_lost_stop (session);
   g_clear_pointer (&session->lesson, lesson_unref);
   g_clear_pointer (&session->selected, g_array_unref);
   G_OBJECT_CLASS (session_parent_class)->finalize (object);
