@@ -322,6 +322,121 @@ test_an_edit_ends_a_performance_on_own_sites (void)
   g_assert_null (session_get_exercise (session));
 }
 
+/* In a lesson, on sites that a person has changed */
+
+static void
+assert_own (Session *session)
+{
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 9);
+  g_assert_cmpfloat (session_get_set (session)->sites[8].x, ==, 0.3125);
+}
+
+static Session *
+begin_with_own_sites (guint stop)
+{
+  Session *session = begin ();
+
+  session_set_stop (session, stop);
+  act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
+  assert_own (session);
+  return session;
+}
+
+/* Undoes one edit, whose label says @what. */
+static void
+undo (Session *session, const char *what)
+{
+  const char *label = session_get_undo_label (session);
+
+  g_assert_nonnull (label);
+  g_assert_nonnull (strstr (label, what));
+  act (session, "undo", NULL);
+}
+
+static void
+test_own_sites_outlast_a_performance_on_them (void)
+{
+  g_autoptr (Session) session = begin_with_own_sites (0);
+
+  act (session, "perform", g_variant_new_string (""));
+  assert_own (session);
+  perform_all (session);
+  session_set_stop (session, 2);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
+  undo (session, "return to the lesson's sites");
+  assert_own (session);
+  undo (session, "addition of s8");
+  g_assert_null (session_get_undo_label (session));
+}
+
+static void
+test_own_sites_outlast_leaving_a_performance (void)
+{
+  g_autoptr (Session) session = begin_with_own_sites (0);
+
+  act (session, "perform", g_variant_new_string (""));
+  answer (session);
+  act (session, "end-performance", NULL);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
+  undo (session, "return to the lesson's sites");
+  assert_own (session);
+}
+
+static void
+test_own_sites_outlast_fresh_ones (void)
+{
+  g_autoptr (Session) session = begin_with_own_sites (0);
+
+  act (session, "perform", g_variant_new_string (""));
+  act (session, "grade", NULL);
+  act (session, "another", NULL);
+  g_assert_cmpuint (session_get_set (session)->n_sites, !=, 9);
+  act (session, "grade", NULL);
+  act (session, "another", NULL);
+  undo (session, "generation of sites");
+  assert_own (session);
+  assert_text (session, "performance", "none");
+  undo (session, "addition of s8");
+
+  act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
+  act (session, "perform", g_variant_new_string ("random 7 seed 4"));
+  undo (session, "generation of sites");
+  assert_own (session);
+}
+
+/* The stop's own performance goes on on its own sites. */
+static void
+test_own_sites_outlast_the_performance_of_the_stop (void)
+{
+  g_autoptr (Session) session = begin_with_own_sites (1);
+
+  act (session, "grade", NULL);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
+  undo (session, "return to the lesson's sites");
+  assert_own (session);
+  act (session, "another", NULL);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 7);
+  undo (session, "generation of sites");
+  assert_own (session);
+}
+
+static void
+test_sites_of_the_lesson_are_nothing_to_undo (void)
+{
+  g_autoptr (Session) session = begin ();
+
+  act (session, "grade", NULL);
+  act (session, "another", NULL);
+  act (session, "grade", NULL);
+  act (session, "another", NULL);
+  session_set_stop (session, 0);
+  act (session, "order", g_variant_new_string ("input"));
+  act (session, "perform", g_variant_new_string (""));
+  answer (session);
+  session_set_stop (session, 2);
+  g_assert_null (session_get_undo_label (session));
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -343,6 +458,15 @@ static const struct {
   { "/exam/any-sites-can-be-performed-on", test_any_sites_can_be_performed_on },
   { "/exam/sources-without-a-seed-are-refused",
     test_sources_without_a_seed_are_refused },
+  { "/exam/own-sites-outlast-a-performance-on-them",
+    test_own_sites_outlast_a_performance_on_them },
+  { "/exam/own-sites-outlast-leaving-a-performance",
+    test_own_sites_outlast_leaving_a_performance },
+  { "/exam/own-sites-outlast-fresh-ones", test_own_sites_outlast_fresh_ones },
+  { "/exam/own-sites-outlast-the-performance-of-the-stop",
+    test_own_sites_outlast_the_performance_of_the_stop },
+  { "/exam/sites-of-the-lesson-are-nothing-to-undo",
+    test_sites_of_the_lesson_are_nothing_to_undo },
   { "/exam/an-edit-ends-a-performance-on-own-sites",
     test_an_edit_ends_a_performance_on_own_sites },
 };

@@ -262,6 +262,23 @@ test_another_is_about_other_sites (void)
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
 }
 
+/* A person's own sites are not lost to other ones. */
+static void
+test_another_on_own_sites_can_be_undone (void)
+{
+  g_autoptr (Session) session = begin ();
+
+  act (session, "show-answer", NULL);
+  act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
+  act (session, "another", NULL);
+  act (session, "show-answer", NULL);
+  act (session, "another", NULL);
+  g_assert_cmpstr (session_get_undo_label (session), ==,
+                   "Undo generation of sites");
+  act (session, "undo", NULL);
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, 9);
+}
+
 /* The author saves another form of the lesson: the stop is kept by its
  * title. */
 static void
@@ -324,6 +341,8 @@ static const struct {
     test_a_drag_is_right_when_it_is_let_go },
   { "/exercise/another-is-about-other-sites",
     test_another_is_about_other_sites },
+  { "/exercise/another-on-own-sites-can-be-undone",
+    test_another_on_own_sites_can_be_undone },
   { "/exercise/a-changed-lesson-keeps-the-stop",
     test_a_changed_lesson_keeps_the_stop },
   { "/exercise/what-is-no-answer-is-refused",

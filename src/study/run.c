@@ -129,6 +129,23 @@ run_is_of (const Run *run, const Site *sites, guint n_sites, const Order *order)
   return TRUE;
 }
 
+gboolean
+run_has_sites_of (const Run *run, const Run *other)
+{
+  if (run == other)
+    return TRUE;
+  if (run->set->n_sites != other->set->n_sites)
+    return FALSE;
+  for (guint i = 0; i < run->set->n_sites; i++) {
+    const Site site = site_set_given (run->set, i);
+    const Site same = site_set_given (other->set, i);
+
+    if (site.x != same.x || site.y != same.y)
+      return FALSE;
+  }
+  return TRUE;
+}
+
 guint
 run_same_place (const Run *from, guint step, const Run *to)
 {

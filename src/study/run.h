@@ -54,6 +54,10 @@ gboolean run_is_of (const Run *run,
                     guint n_sites,
                     const Order *order);
 
+/* Returns: whether both are of the same sites, in whichever order they are
+ *          inserted. */
+gboolean run_has_sites_of (const Run *run, const Run *other);
+
 /* Returns: the step of @to at the same place as @step of @from: as far into
  *          the same phase of the same round. At the end it stays at the end,
  *          and a place that does not exist becomes the end. */

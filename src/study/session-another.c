@@ -2,6 +2,8 @@
 #include "session-private.h"
 #include "site-source.h"
 
+#include <glib/gi18n.h>
+
 #define MOST_SEEDS 50 /* that are tried until a question is found */
 #define LEAST_SITES 6
 #define MOST_SITES 10
@@ -43,9 +45,13 @@ make_another (const Exercise *like, const char *kind, guint64 seed)
 static void
 put_another (Session *session, Exercise *exercise)
 {
+  const OwnSites kept = session_keep_own_sites (session);
+
   g_clear_pointer (&session->another, exercise_free);
   session->another = exercise;
+  session->another_is_own = FALSE;
   session_put_run (session, run_ref (exercise->run), exercise->occasion.step);
+  session_remember_own_sites (session, &kept, _ ("generation of sites"));
   session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
   session_fit (session);

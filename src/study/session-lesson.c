@@ -93,24 +93,6 @@ session_put_state (Session *session,
   session_release (session);
 }
 
-/* Returns: whether the sites shown are some stop's, not a person's. */
-static gboolean
-is_run_of_lesson (Session *session)
-{
-  if (session->lesson == NULL)
-    return FALSE;
-  if (session->run == session->lesson->start->run)
-    return TRUE;
-  for (guint i = 0; i < session_get_n_stops (session); i++) {
-    const LessonStop *stop = lesson_stop (session->lesson, i);
-
-    if (session->run == stop->state->run
-        || (stop->ask_state != NULL && session->run == stop->ask_state->run))
-      return TRUE;
-  }
-  return session_question_owns_run (session, session->run);
-}
-
 /* Goes to a state; a person's sites that it replaces can be had back. */
 static void
 enter_state (Session *session,
@@ -118,14 +100,10 @@ enter_state (Session *session,
              const StopState *state,
              const char *edit)
 {
-  Run *before = run_ref (session->run);
-  const gboolean is_persons
-      = before->set->n_sites > 0 && !is_run_of_lesson (session);
+  const OwnSites kept = session_keep_own_sites (session);
 
   session_put_state (session, from, state);
-  if (is_persons)
-    session_remember (session, before, g_strdup (edit));
-  run_unref (before);
+  session_remember_own_sites (session, &kept, edit);
 }
 
 /* What is shown when the lesson is opened there. */

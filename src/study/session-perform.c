@@ -40,8 +40,8 @@ subject_of (const Task *task)
   return (Object){ OBJECT_NONE, 0 };
 }
 
-void
-session_show_task (Session *session)
+static void
+put_task (Session *session)
 {
   const Performance *performance = session_performance (session);
   const Task *task;
@@ -63,6 +63,16 @@ session_show_task (Session *session)
   session_question_refresh (session);
   session_tell (session, CHANGED_QUESTION | CHANGED_LOOK);
   session_release (session);
+}
+
+void
+session_show_task (Session *session)
+{
+  const OwnSites kept = session_keep_own_sites (session);
+
+  put_task (session);
+  session_remember_own_sites (session, &kept,
+                              _ ("return to the lesson's sites"));
 }
 
 /* Ends the question when its last task is done. */
@@ -229,17 +239,20 @@ make_question (const Run *run, const char *fresh, guint64 seed)
   return question;
 }
 
-/* Takes @question, which is about the sites of @run. */
+/* Takes @question, which is about the sites of @run, and @kept: what was shown
+ * before. */
 static void
-begin (Session *session, Question *question, Run *run)
+begin (Session *session, Question *question, Run *run, const OwnSites *kept)
 {
   Occasion occasion;
 
   g_clear_pointer (&session->another, exercise_free);
   if (question_locate (question, run->trace, &occasion, NULL))
     session->another = exercise_new (question, run, &occasion);
+  session->another_is_own = kept->are_own && run_has_sites_of (run, kept->run);
   question_unref (question);
-  session_show_task (session);
+  put_task (session);
+  session_remember_own_sites (session, kept, _ ("generation of sites"));
 }
 
 /* Returns: (transfer full): the run of sites that a seed gives; NULL with
@@ -284,6 +297,7 @@ session_perform (Session *session, const char *source, GError **error)
   g_autoptr (Run) run = NULL;
   guint64 seed = 0;
   gsize fault;
+  OwnSites kept;
 
   if (*source != '\0'
       && !fresh_sites_parse (source, &fresh, &seed, &fault, error))
@@ -292,13 +306,18 @@ session_perform (Session *session, const char *source, GError **error)
   if (run == NULL || !can_perform (run, error))
     return FALSE;
   session_hold (session);
+  kept = session_keep_own_sites (session);
   g_clear_pointer (&session->another, exercise_free);
   session_put_exhibit (session, EXHIBIT_LIFTS, session->step);
   show_what_is_clicked (session);
   session_set_order (session, &order);
-  if (fresh != NULL)
+  if (fresh != NULL) {
     put_fresh (session, run);
-  begin (session, make_question (session->run, fresh, seed), session->run);
+    run_unref (kept.run);
+    kept = session_keep_own_sites (session);
+  }
+  begin (session, make_question (session->run, fresh, seed), session->run,
+         &kept);
   session_release (session);
   return TRUE;
 }
@@ -322,6 +341,7 @@ session_perform_another (Session *session)
   g_autoptr (Run) run
       = fresh_sites_next (like->fresh, (guint)like->n_insertions, &seed);
   Question *question;
+  OwnSites kept;
 
   if (run == NULL)
     return FALSE;
@@ -331,7 +351,8 @@ session_perform_another (Session *session)
   session_hold (session);
   if (session->lesson == NULL)
     put_fresh (session, run);
-  begin (session, question, run);
+  kept = session_keep_own_sites (session);
+  begin (session, question, run, &kept);
   session_fit (session);
   session_release (session);
   return TRUE;

@@ -57,12 +57,13 @@ struct _Session {
   GPtrArray *exercises; /* of Exercise, one for each stop; NULL: not begun */
   Exercise *another;    /* on other sites, in place of the stop's */
   guint64 another_seed;
-  GArray *answers;       /* of SceneAnswer: what the look shows */
-  Lesson *sought;        /* whose stop a renewed lesson had not; NULL: none */
-  guint sought_stop;     /* that stop */
-  guint stop_instead;    /* where the session went */
-  gboolean is_replaying; /* a lesson's commands are carried out: no history,
-                            and the stop does not follow the step */
+  gboolean another_is_own; /* it is on a person's sites */
+  GArray *answers;         /* of SceneAnswer: what the look shows */
+  Lesson *sought;          /* whose stop a renewed lesson had not; NULL: none */
+  guint sought_stop;       /* that stop */
+  guint stop_instead;      /* where the session went */
+  gboolean is_replaying;   /* a lesson's commands are carried out: no history,
+                              and the stop does not follow the step */
 
   Progress *progress;       /* NULL: none is kept */
   const Lesson *keyed;      /* whose keys these are; to compare */
@@ -208,6 +209,26 @@ void session_follow_step (Session *session, guint old_step);
 
 /* A stop that a renewed lesson had not is sought no longer. */
 void session_forget_lost_stop (Session *session);
+
+/* Inside of session-own-sites.c. */
+
+/* Returns: whether the sites shown are a person's, also when they perform on
+ *          them. */
+gboolean session_shows_own_sites (Session *session);
+
+/* What is shown before other sites may take its place. */
+typedef struct OwnSites {
+  Run *run;
+  gboolean are_own;
+} OwnSites;
+
+OwnSites session_keep_own_sites (Session *session);
+
+/* What was a person's, and is shown no longer, can be had back by undoing
+ * @edit. Frees what @kept holds. */
+void session_remember_own_sites (Session *session,
+                                 const OwnSites *kept,
+                                 const char *edit);
 
 /* Takes the state as it is; free with stop_state_free(). */
 StopState *session_get_state (Session *session);
