@@ -211,6 +211,28 @@ test_numbers_are_answered_by_their_place (void)
   assert_state (session, "right");
 }
 
+/* Returns: (transfer full): how a question of these numbers is answered. */
+static char *
+instruction_of (const char *keys)
+{
+  g_autofree char *text = g_strdup_printf (ASK ("before round 1 see\n"
+                                                "number %s"),
+                                           keys);
+  g_autoptr (Lesson) lesson = lesson_parse (text, strlen (text), "l.md", NULL);
+
+  return question_instruction (lesson_stop (lesson, 0)->question);
+}
+
+static void
+test_one_number_is_asked_for_as_one (void)
+{
+  g_autofree char *one = instruction_of ("visible");
+  g_autofree char *two = instruction_of ("visible cone");
+
+  g_assert_cmpstr (one, ==, "Type a whole number.");
+  g_assert_cmpstr (two, ==, "Type a whole number for each.");
+}
+
 static void
 test_counters_tell_nothing_while_it_asks (void)
 {
@@ -335,6 +357,8 @@ static const struct {
     test_stepping_past_the_event_shows_the_answer },
   { "/exercise/numbers-are-answered-by-their-place",
     test_numbers_are_answered_by_their_place },
+  { "/exercise/one-number-is-asked-for-as-one",
+    test_one_number_is_asked_for_as_one },
   { "/exercise/counters-tell-nothing-while-it-asks",
     test_counters_tell_nothing_while_it_asks },
   { "/exercise/a-drag-is-right-when-it-is-let-go",

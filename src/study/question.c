@@ -176,7 +176,9 @@ question_instruction (const Question *question)
     return g_strdup (question->is_several ? _ ("Choose all that are right.")
                                           : _ ("Choose one."));
   case QUESTION_NUMBERS:
-    return g_strdup (_ ("Type a whole number for each."));
+    return g_strdup (question->quantities->len == 1
+                         ? _ ("Type a whole number.")
+                         : _ ("Type a whole number for each."));
   case QUESTION_CLICK:
     return g_strdup (_ ("Click in either picture; a second click takes it "
                         "back. Tab and Enter do the same."));
