@@ -121,6 +121,18 @@ record_window_new (GtkApplicationWindow *parent, Session *session)
   return window;
 }
 
+static gboolean
+record_window_key_press (GtkWidget *widget, GdkEventKey *event)
+{
+  if (GTK_WIDGET_CLASS (record_window_parent_class)
+          ->key_press_event (widget, event))
+    return TRUE;
+  if (event->keyval != GDK_KEY_Escape)
+    return FALSE;
+  gtk_window_close (GTK_WINDOW (widget));
+  return TRUE;
+}
+
 static void
 record_window_dispose (GObject *object)
 {
@@ -137,6 +149,7 @@ record_window_class_init (RecordWindowClass *class)
   GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
 
   G_OBJECT_CLASS (class)->dispose = record_window_dispose;
+  widget_class->key_press_event = record_window_key_press;
   gtk_widget_class_set_template_from_resource (
       widget_class, "/io/github/hull2vd/Hull2VD/record-window.ui");
   gtk_widget_class_bind_template_child (widget_class, RecordWindow, text);

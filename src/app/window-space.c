@@ -47,16 +47,33 @@ on_space_delete (GtkWidget *widget, GdkEvent *event, Hull2vdWindow *window)
   return TRUE;
 }
 
+static gboolean
+is_fullscreen (GtkWidget *widget)
+{
+  return (gdk_window_get_state (gtk_widget_get_window (widget))
+          & GDK_WINDOW_STATE_FULLSCREEN)
+         != 0;
+}
+
 static void
 toggle_fullscreen (GtkWidget *widget)
 {
-  const GdkWindowState state
-      = gdk_window_get_state (gtk_widget_get_window (widget));
-
-  if (state & GDK_WINDOW_STATE_FULLSCREEN)
+  if (is_fullscreen (widget))
     gtk_window_unfullscreen (GTK_WINDOW (widget));
   else
     gtk_window_fullscreen (GTK_WINDOW (widget));
+}
+
+/* Work ends first, then the full screen, then the window. */
+static void
+escape (GtkWidget *widget, Hull2vdWindow *window)
+{
+  if (session_is_working (window->session, NULL))
+    session_cancel (window->session);
+  else if (is_fullscreen (widget))
+    gtk_window_unfullscreen (GTK_WINDOW (widget));
+  else
+    gtk_window_close (GTK_WINDOW (widget));
 }
 
 /* What the focus does not want is for the main window, but for what is about
@@ -73,7 +90,7 @@ on_space_key (GtkWidget *widget, GdkEventKey *event, Hull2vdWindow *window)
            && !gtk_window_activate_key (GTK_WINDOW (window), event)) {
     if (event->keyval != GDK_KEY_Escape)
       return FALSE;
-    gtk_window_unfullscreen (GTK_WINDOW (widget));
+    escape (widget, window);
   }
   return TRUE;
 }
