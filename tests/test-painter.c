@@ -226,6 +226,72 @@ test_paper_has_no_clash (void)
   }
 }
 
+/* The plane of mixed8 when the cone of round 4 stands, with @answer over it. */
+static cairo_surface_t *
+paint_answer (const Fixture *fixture,
+              ThemeKind theme,
+              const SceneAnswer *answer)
+{
+  cairo_surface_t *surface
+      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, LOOK_SIDE, LOOK_SIDE);
+  cairo_t *cr = cairo_create (surface);
+  Picture picture;
+  Frame frame;
+
+  frame_init (&frame, fixture->trace, fixture->trace->rounds[3].last_cone);
+  picture_init (&picture, PICTURE_PLANE, &frame);
+  picture.width = picture.height = LOOK_SIDE;
+  picture.theme = theme_get (theme);
+  picture.look.answers = answer;
+  picture.look.n_answers = answer == NULL ? 0 : 1;
+  picture_paint (&picture, &frame, cr);
+  cairo_destroy (cr);
+  cairo_surface_flush (surface);
+  frame_clear (&frame);
+  return surface;
+}
+
+/* The row of the ridge that an event tells. */
+static uint32_t
+ridge_of (const Trace *trace, const Event *event)
+{
+  for (uint32_t i = 0; i < trace->n_ridges; i++) {
+    const uint32_t *site = trace->ridges[i].site;
+
+    if ((site[0] == event->ridge[0] && site[1] == event->ridge[1])
+        || (site[0] == event->ridge[1] && site[1] == event->ridge[0]))
+      return i;
+  }
+  g_assert_not_reached ();
+}
+
+/* Whoever missed a ridge of the horizon finds it there. */
+static void
+test_missed_on_the_horizon (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("mixed8", ORDER_FURTHEST);
+  const RoundRow *round = &fixture->trace->rounds[3];
+  cairo_surface_t *diff
+      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, LOOK_SIDE, LOOK_SIDE);
+
+  for (int theme = 0; theme < N_THEMES; theme++) {
+    cairo_surface_t *without = paint_answer (fixture, theme, NULL);
+
+    for (uint32_t i = round->first_horizon; i <= round->last_horizon; i++) {
+      const Event *event = &fixture->trace->events[i - 1];
+      const SceneAnswer missed = {
+        { OBJECT_RIDGE, ridge_of (fixture->trace, event) }, ANSWER_MISSED, 0
+      };
+      cairo_surface_t *out = paint_answer (fixture, theme, &missed);
+
+      g_assert_cmpuint (look_compare (out, without, 0, diff), >, 100);
+      cairo_surface_destroy (out);
+    }
+    cairo_surface_destroy (without);
+  }
+  cairo_surface_destroy (diff);
+}
+
 /* Every role leaves ink in its legend's sample. */
 static void
 test_swatches (void)
@@ -259,6 +325,8 @@ main (int argc, char **argv)
   g_test_add_func ("/painter/space-looks-as-it-was-seen", test_space);
   g_test_add_func ("/painter/the-comparison-tells-phases-apart", test_compare);
   g_test_add_func ("/painter/every-role-has-a-sample", test_swatches);
+  g_test_add_func ("/painter/what-was-missed-is-seen-on-the-horizon",
+                   test_missed_on_the_horizon);
   g_test_add_func ("/painter/no-facet-of-the-paper-is-green-by-mixture",
                    test_paper_has_no_clash);
   g_test_add_func ("/label/names-sit-on-no-mark-and-no-name", test_labels);

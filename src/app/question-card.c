@@ -83,11 +83,16 @@ verdict_text (const Exercise *exercise)
 }
 
 static void
+append_line (GString *text, const char *line)
+{
+  g_string_append_printf (text, "%s%s", text->len == 0 ? "" : "\n", line);
+}
+
+static void
 append_all (GString *text, const GPtrArray *lines)
 {
   for (guint i = 0; i < lines->len; i++)
-    g_string_append_printf (text, "%s%s", text->len == 0 ? "" : "\n",
-                            (char *)g_ptr_array_index (lines, i));
+    append_line (text, g_ptr_array_index (lines, i));
 }
 
 /* Whoever looks at the answer without an attempt is told why as well. */
@@ -107,8 +112,11 @@ reasons_text (const Exercise *exercise)
                                      &exercise->occasion);
   if (verdict != NULL) {
     append_all (text, verdict->reasons);
-    if (!exercise->is_open)
+    if (!exercise->is_open && verdict->missed->len > 0) {
+      if (verdict != blank && exercise->question->kind == QUESTION_CLICK)
+        append_line (text, _ ("Missed, dotted in the pictures:"));
       append_all (text, verdict->missed);
+    }
   }
   return g_string_free (g_steal_pointer (&text), FALSE);
 }

@@ -134,8 +134,10 @@ static const Row rows[N_ROLES] = {
                                      .gap = 5,
                                      .mark = MARK_HOLLOW,
                                      .radius = 10 } },
+  /* Its dots stand out from the horizon as well. */
   [ROLE_ANSWER_MISSED] = { .line = INK_HORIZON,
                            .style = { .width = 3,
+                                      .casing = 8,
                                       .dash = 0.5,
                                       .gap = 5.5,
                                       .mark = MARK_HOLLOW,

@@ -201,7 +201,6 @@ cone_over (const Occasion *occasion, const RidgeRow *row)
 REASON (reason_new_triangle)
 {
   const RidgeRow *row = &occasion->trace->ridges[object.number];
-  const guint site = occasion_round (occasion)->site;
   const guint facet = cone_over (occasion, row);
   const char *sentence;
 
@@ -212,20 +211,20 @@ REASON (reason_new_triangle)
         row->site[0], row->site[1]);
   switch (occasion->trace->facets[facet].facing) {
   case FACING_LOWER:
-    sentence = _ ("s%u s%u s%u is a lower facet: its shadow is a new "
-                  "triangle.");
+    sentence = _ ("Over ridge s%u s%u a lower facet is born: its shadow is a "
+                  "new triangle.");
     break;
   case FACING_UPPER:
-    sentence = _ ("s%u s%u s%u is an upper facet: it is no triangle of the "
-                  "plane.");
+    sentence = _ ("Over ridge s%u s%u an upper facet is born: it is no "
+                  "triangle of the plane.");
     break;
   case FACING_VERTICAL:
   default:
-    sentence = _ ("s%u s%u s%u is a vertical facet: its shadow is only a "
-                  "segment.");
+    sentence = _ ("Over ridge s%u s%u a vertical facet is born: its shadow is "
+                  "only a segment.");
     break;
   }
-  return g_strdup_printf (sentence, row->site[0], row->site[1], site);
+  return g_strdup_printf (sentence, row->site[0], row->site[1]);
 }
 
 /* Facets */
