@@ -13,6 +13,11 @@ NAME = "io.github.hull2vd.Hull2VD"
 PATH = "/io/github/hull2vd/Hull2VD/window/1"
 PATIENCE = float(os.environ.get("HULL2VD_PATIENCE", "20"))
 
+ALL = Atspi.CollectionMatchType.ALL
+ANY = Atspi.CollectionMatchType.ANY
+ROLES = {Atspi.role_get_name(Atspi.Role(i)): Atspi.Role(i)
+         for i in range(Atspi.Role.PUSH_BUTTON_MENU)}
+
 # A busy machine takes its time to answer.
 Atspi.set_timeout(10000, 20000)
 
@@ -156,20 +161,18 @@ class Program:
         root = self.root()
         return root and self.find_below(root, role, name, contains)
 
-    def find_below(self, node, role, name, contains):
-        for i in range(min(node.get_child_count(), 60)):
-            child = node.get_child_at_index(i)
-            if child is None:
-                continue
-            if child.get_role_name() == role and (
-                    name in (None, child.get_name())) and (
+    def find_below(self, node, role, name=None, contains=None):
+        """The program looks itself: to walk all that it shows from here takes
+        a question for each thing."""
+        rule = Atspi.MatchRule.new(
+            Atspi.StateSet.new([Atspi.StateType.SHOWING]), ALL, {}, ALL,
+            [ROLES[role]], ANY, [], ALL, False)
+        found = Atspi.Collection.get_matches(
+            node, rule, Atspi.CollectionSortOrder.CANONICAL, 0, True)
+        for child in found:
+            if (name in (None, child.get_name())) and (
                     contains is None or contains in child.get_name()):
-                if child.get_state_set().contains(Atspi.StateType.SHOWING):
-                    return child
-            if child.get_role_name() != "canvas":
-                found = self.find_below(child, role, name, contains)
-                if found is not None:
-                    return found
+                return child
         return None
 
     def canvas(self, name):
