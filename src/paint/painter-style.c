@@ -77,6 +77,10 @@ style_as_lit (const Painter *painter, const SceneItem *item)
 {
   Style style = theme_style (painter->theme, item);
 
+  /* A ring that one sees through hides nothing. */
+  if (item->shape == SHAPE_MARK && style.mark == MARK_HOLLOW
+      && !(style.fill.alpha > 0))
+    style.casing = 0;
   if (painter->drawing->size < 1)
     adapt_to_crowd (painter, item, &style);
   adapt_to_depth (painter, item, &style);
