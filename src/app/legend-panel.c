@@ -142,13 +142,26 @@ arrange (LegendPanel *panel)
   panel->is_arranged = TRUE;
 }
 
+/* Whether a lesson or a person shows the picture at all. */
+static gboolean
+is_picture_shown (Canvas *view)
+{
+  GtkWidget *widget = GTK_WIDGET (view);
+
+  for (; widget != NULL && !gtk_widget_is_toplevel (widget);
+       widget = gtk_widget_get_parent (widget))
+    if (!gtk_widget_get_visible (widget))
+      return FALSE;
+  return canvas_is_shown (view);
+}
+
 static gboolean
 is_in_view (LegendPanel *panel, Role role)
 {
   for (guint i = 0; i < panel->views->len; i++) {
     Canvas *view = g_ptr_array_index (panel->views, i);
 
-    if (canvas_is_shown (view) && canvas_has_role (view, role))
+    if (is_picture_shown (view) && canvas_has_role (view, role))
       return TRUE;
   }
   return FALSE;
@@ -210,7 +223,7 @@ static void
 on_changed (Session *session, guint changes, LegendPanel *panel)
 {
   (void)session;
-  if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_LOOK))
+  if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_LOOK | CHANGED_STAGING))
     update (panel);
   if (changes & CHANGED_APPEARANCE)
     gtk_widget_queue_draw (GTK_WIDGET (panel));
