@@ -1,6 +1,7 @@
 /* A person at the questions of a lesson, through the session and its
  * actions. */
 #include "action.h"
+#include "attempt.h"
 #include "laws.h"
 #include "lesson-text.h"
 
@@ -233,6 +234,33 @@ test_one_number_is_asked_for_as_one (void)
   g_assert_cmpstr (two, ==, "Type a whole number for each.");
 }
 
+/* s7 of the lecture lies inside; there are 12 facets. */
+static void
+test_an_option_is_right_for_a_reason_in_words (void)
+{
+  static const char *const reasons[]
+      = { "“in” is right: s7 lies inside the hull in the plane.",
+          "“out” is wrong: it is not so that s7 lies outside the hull in the "
+          "plane.",
+          "“not in” is wrong: s7 lies inside the hull in the plane.",
+          "“many” is right (facets of the hull: 12, sites: 8)." };
+  static const char asked[]
+      = ASK ("complete\nchoose several\noption in if inside s7\n"
+             "option out if outside s7\noption not in if not inside s7\n"
+             "option many if facets > sites");
+  g_autoptr (Lesson) lesson
+      = lesson_parse (asked, sizeof asked - 1, "l.md", NULL);
+  const LessonStop *stop = lesson_stop (lesson, 0);
+
+  for (guint i = 0; i < G_N_ELEMENTS (reasons); i++) {
+    g_autofree char *reason
+        = answer_reason (stop->question, &stop->occasion,
+                         (Object){ OBJECT_NONE, i }, i == 0 || i == 3);
+
+    g_assert_cmpstr (reason, ==, reasons[i]);
+  }
+}
+
 static void
 test_counters_tell_nothing_while_it_asks (void)
 {
@@ -359,6 +387,8 @@ static const struct {
     test_numbers_are_answered_by_their_place },
   { "/exercise/one-number-is-asked-for-as-one",
     test_one_number_is_asked_for_as_one },
+  { "/exercise/an-option-is-right-for-a-reason-in-words",
+    test_an_option_is_right_for_a_reason_in_words },
   { "/exercise/counters-tell-nothing-while-it-asks",
     test_counters_tell_nothing_while_it_asks },
   { "/exercise/a-drag-is-right-when-it-is-let-go",

@@ -121,18 +121,45 @@ tell (GPtrArray *reasons, char *reason)
     g_ptr_array_add (reasons, reason);
 }
 
+/* The numbers as they are when the answer is shown. */
+static char *
+reason_numbers (const Condition *condition,
+                const Occasion *occasion,
+                const char *text,
+                gboolean is_right)
+{
+  g_autofree char *facts = NULL;
+  Frame frame;
+
+  frame_init (&frame, occasion->trace, occasion->reveal);
+  facts = condition_facts (condition, &frame);
+  frame_clear (&frame);
+  return g_strdup_printf (is_right ? _ ("“%s” is right (%s).")
+                                   : _ ("“%s” is wrong (%s)."),
+                          text, facts);
+}
+
 /* Why an option is right, or is not: what it says, seen at the end. */
 static char *
-reason_option (const Question *question, guint index, gboolean is_right)
+reason_option (const Grading *grading, guint index, gboolean is_right)
 {
-  const QuestionOption *option = g_ptr_array_index (question->options, index);
+  const QuestionOption *option
+      = g_ptr_array_index (grading->question->options, index);
+  const Condition *condition = option->condition;
   g_autofree char *text
-      = question_item_text (question, (Object){ OBJECT_NONE, index });
+      = question_item_text (grading->question, (Object){ OBJECT_NONE, index });
+  g_autofree char *statement = condition_statement (condition);
+  const char *form;
 
-  return g_strdup_printf (is_right ? _ ("“%s” is right: here it holds that %s.")
-                                   : _ ("“%s” is wrong: here it does not hold "
-                                        "that %s."),
-                          text, condition_text (option->condition));
+  if (statement == NULL)
+    return reason_numbers (condition, grading->occasion, text, is_right);
+  if (condition_is_negated (condition))
+    form = is_right ? _ ("“%s” is right: it is not so that %s.")
+                    : _ ("“%s” is wrong: %s.");
+  else
+    form = is_right ? _ ("“%s” is right: %s.")
+                    : _ ("“%s” is wrong: it is not so that %s.");
+  return g_strdup_printf (form, text, statement);
 }
 
 static char *
@@ -144,7 +171,7 @@ why (const Grading *grading,
   const Question *question = grading->question;
 
   if (question->kind == QUESTION_CHOOSE)
-    return reason_option (question, object.number, is_right);
+    return reason_option (grading, object.number, is_right);
   return question->click->why (question, grading->occasion, frame, object);
 }
 

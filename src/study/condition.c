@@ -230,24 +230,61 @@ condition_text (const Condition *condition)
   return condition->text;
 }
 
+gboolean
+condition_is_negated (const Condition *condition)
+{
+  return condition->is_negated;
+}
+
+char *
+condition_statement (const Condition *condition)
+{
+  const ConditionWord *word = condition->word;
+  g_autoptr (GString) text = NULL;
+
+  if (word == NULL)
+    return NULL;
+  text = g_string_new (_ (word->sentence));
+  for (guint i = 0; word->arguments[i] != '\0'; i++) {
+    g_autofree char *name
+        = g_strdup_printf ("%c%u", word->arguments[i], condition->arguments[i]);
+
+    g_string_replace (text, i == 0 ? "{a}" : "{b}", name, 0);
+  }
+  return g_string_free (g_steal_pointer (&text), FALSE);
+}
+
 /* Words have a sentence of their own; of what is written otherwise no language
  * has a better form. */
 char *
 condition_sentence (const Condition *condition)
 {
-  g_autoptr (GString) text = NULL;
-  g_auto (GStrv) words = NULL;
-
   if (condition->word == NULL || condition->is_negated)
     return g_strdup_printf ("`%s`", condition->text);
-  words = words_split (condition->text);
-  text = g_string_new (_ (condition->word->sentence));
-  if (words[1] != NULL) {
-    g_string_replace (text, "{a}", words[1], 0);
-    if (words[2] != NULL)
-      g_string_replace (text, "{b}", words[2], 0);
+  return condition_statement (condition);
+}
+
+static void
+add_facts (GString *text, const Sum *sum, const Frame *frame)
+{
+  for (guint i = 0; i < sum->n_terms; i++) {
+    const Quantity quantity = sum->terms[i].quantity;
+    g_autofree char *fact = g_strdup_printf (
+        "%s: %u", quantity_label (quantity), quantity_value (frame, quantity));
+
+    if (strstr (text->str, fact) == NULL)
+      g_string_append_printf (text, "%s%s", text->len == 0 ? "" : ", ", fact);
   }
-  return g_string_free (g_steal_pointer (&text), FALSE);
+}
+
+char *
+condition_facts (const Condition *condition, const Frame *frame)
+{
+  GString *text = g_string_new (NULL);
+
+  add_facts (text, &condition->left, frame);
+  add_facts (text, &condition->right, frame);
+  return g_string_free (text, FALSE);
 }
 
 static void

@@ -41,6 +41,15 @@ const char *condition_text (const Condition *condition);
  *          diagonal flips". */
 char *condition_sentence (const Condition *condition);
 
+/* Returns: (transfer full): what its word says, whether the condition negates
+ *          it or not; NULL: it compares numbers. */
+char *condition_statement (const Condition *condition);
+gboolean condition_is_negated (const Condition *condition);
+
+/* Returns: (transfer full): the numbers that it compares, as they are in
+ *          @frame: "facets of the cone: 4, visible facets: 2". */
+char *condition_facts (const Condition *condition, const Frame *frame);
+
 /* Calls @visit for each quantity that it speaks of. */
 void condition_for_each_quantity (const Condition *condition,
                                   void (*visit) (Quantity quantity,
