@@ -107,18 +107,18 @@ judge_see (const Asked *asked)
 
 /* Whether a ridge that stands has one visible facet beside it. */
 static gboolean
-is_on_horizon (const Asked *asked, const RidgeRow *row)
+is_on_horizon (const Asked *asked, RidgeRow row)
 {
-  return span_has (row->span, asked->moment->step)
-         && moment_sees (asked->moment, row->facet[0], apex (asked))
-                != moment_sees (asked->moment, row->facet[1], apex (asked));
+  return span_has (row.span, asked->moment->step)
+         && moment_sees (asked->moment, row.facet[0], apex (asked))
+                != moment_sees (asked->moment, row.facet[1], apex (asked));
 }
 
 static void
 judge_horizon (const Asked *asked)
 {
   for (guint i = 0; i < asked->trace->n_ridges; i++)
-    if (is_on_horizon (asked, &asked->trace->ridges[i]))
+    if (is_on_horizon (asked, trace_ridge (asked->trace, i)))
       add (asked, OBJECT_RIDGE, i);
 }
 
@@ -141,8 +141,8 @@ static void
 judge_cone (const Asked *asked)
 {
   for (guint i = 0; i < asked->trace->n_ridges; i++) {
-    const RidgeRow *row = &asked->trace->ridges[i];
-    const uint32_t corner[3] = { row->site[0], row->site[1], apex (asked) };
+    const RidgeRow row = trace_ridge (asked->trace, i);
+    const uint32_t corner[3] = { row.site[0], row.site[1], apex (asked) };
 
     if (is_on_horizon (asked, row) && is_lower (asked, corner))
       add (asked, OBJECT_RIDGE, i);

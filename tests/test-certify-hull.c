@@ -68,7 +68,8 @@ static bool
 is_joined (const Frame *frame, uint32_t a, uint32_t b)
 {
   for (uint32_t i = 0; i < frame->n_ridges; i += 1) {
-    const uint32_t *site = frame->trace->ridges[frame->ridges[i].ridge].site;
+    const uint32_t *site
+        = trace_ridge (frame->trace, frame->ridges[i].ridge).site;
 
     if ((site[0] == a && site[1] == b) || (site[0] == b && site[1] == a))
       return true;
@@ -98,10 +99,10 @@ flip_ridge (Frame *frame, Facing part)
   Trace *trace = (Trace *)frame->trace;
 
   for (uint32_t i = 0; i < frame->n_ridges; i += 1) {
-    const RidgeRow *row = &trace->ridges[frame->ridges[i].ridge];
-    FacetRow *left = &trace->facets[row->facet[0]];
-    FacetRow *right = &trace->facets[row->facet[1]];
-    const uint32_t tail = row->site[0], head = row->site[1];
+    const RidgeRow row = trace_ridge (trace, frame->ridges[i].ridge);
+    FacetRow *left = &trace->facets[row.facet[0]];
+    FacetRow *right = &trace->facets[row.facet[1]];
+    const uint32_t tail = row.site[0], head = row.site[1];
     uint32_t l, r;
 
     if (frame->ridges[i].is_coplanar || left->facing != part

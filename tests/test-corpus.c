@@ -172,13 +172,13 @@ count_merged (Counts *counts)
   for (uint32_t i = 0; i < frame->n_facets; i++)
     counts->merged[trace->facets[frame->facets[i].facet].facing] += 1;
   for (uint32_t i = 0; i < frame->n_ridges; i++) {
-    const RidgeRow *row = &trace->ridges[frame->ridges[i].ridge];
+    const RidgeRow row = trace_ridge (trace, frame->ridges[i].ridge);
     uint32_t a, b;
 
     if (!frame->ridges[i].is_coplanar)
       continue;
-    a = root (parent, row->facet[0]);
-    b = root (parent, row->facet[1]);
+    a = root (parent, row.facet[0]);
+    b = root (parent, row.facet[1]);
     if (a != b)
       counts->merged[trace->facets[a].facing] -= 1;
     parent[a] = b;

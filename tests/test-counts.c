@@ -98,7 +98,7 @@ lower_and_ghost_facets (const Trace *trace)
     bool is_outside = false;
 
     for (uint32_t step = row->first_cone; step <= row->last_cone; step++) {
-      const uint32_t facet = trace->events[step - 1].facet;
+      const uint32_t facet = trace_event (trace, step - 1).facet;
       const bool is_lower = trace->facets[facet].facing == FACING_LOWER;
 
       n_made += is_lower ? 1 : 0;

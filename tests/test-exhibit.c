@@ -121,7 +121,7 @@ count_events (const Trace *trace, guint step, EventKind kind)
   guint n = 0;
 
   for (guint i = 0; i < step; i++)
-    n += trace->events[i].kind == kind;
+    n += trace_event (trace, i).kind == kind;
   return n;
 }
 

@@ -142,10 +142,10 @@ count_events (const Frame *frame, EventKind kind)
   uint32_t n = 0;
 
   for (uint32_t step = frame->step; step > 0; step--) {
-    const Event *event = &frame->trace->events[step - 1];
+    const Event event = trace_event (frame->trace, step - 1);
 
-    n += event->kind == kind;
-    if (event->kind == EVENT_SELECT)
+    n += event.kind == kind;
+    if (event.kind == EVENT_SELECT)
       return n;
   }
   return 0;
@@ -244,17 +244,17 @@ roles_by_events (const Frame *frame, uint32_t facet)
   uint32_t roles = 0;
 
   for (uint32_t step = frame->step; step > 0; step--) {
-    const Event *event = &frame->trace->events[step - 1];
+    const Event event = trace_event (frame->trace, step - 1);
 
-    if (event->facet == facet && event->kind == EVENT_SELECT)
+    if (event.facet == facet && event.kind == EVENT_SELECT)
       roles |= FACET_SELECTED;
-    if (event->facet == facet && event->kind == EVENT_VISIBLE)
+    if (event.facet == facet && event.kind == EVENT_VISIBLE)
       roles |= FACET_VISIBLE;
-    if (event->facet == facet && event->kind == EVENT_CONE)
+    if (event.facet == facet && event.kind == EVENT_CONE)
       roles |= FACET_CONE;
-    if (event->facet == facet && event->kind == EVENT_RETIRE)
+    if (event.facet == facet && event.kind == EVENT_RETIRE)
       roles |= FACET_RETIRED;
-    if (event->kind == EVENT_SELECT)
+    if (event.kind == EVENT_SELECT)
       return roles;
   }
   return 0;
@@ -308,12 +308,12 @@ check_horizon (const Frame *frame, const Moment *moment)
   row = &frame->trace->rounds[frame->round];
   moment_assert (moment, frame->n_horizon == frame->counts.horizon);
   for (uint32_t i = 0; i < frame->n_horizon; i++) {
-    const Event *event = &frame->trace->events[row->first_horizon - 1 + i];
+    const Event event = trace_event (frame->trace, row->first_horizon - 1 + i);
 
-    moment_assert (moment, frame->horizon[i].site[0] == event->ridge[0]);
-    moment_assert (moment, frame->horizon[i].site[1] == event->ridge[1]);
-    moment_assert (moment, frame->horizon[i].beyond == event->facet);
-    moment_assert (moment, frame->sites[event->ridge[0]].is_changed);
+    moment_assert (moment, frame->horizon[i].site[0] == event.ridge[0]);
+    moment_assert (moment, frame->horizon[i].site[1] == event.ridge[1]);
+    moment_assert (moment, frame->horizon[i].beyond == event.facet);
+    moment_assert (moment, frame->sites[event.ridge[0]].is_changed);
   }
 }
 

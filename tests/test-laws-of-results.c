@@ -118,10 +118,10 @@ assert_same_events (const Trace *a, const Trace *b, const char *name)
   if (a->n_events != b->n_events)
     g_error ("%s: %u events became %u", name, a->n_events, b->n_events);
   for (uint32_t i = 0; i < a->n_events; i++) {
-    const Event *p = &a->events[i], *q = &b->events[i];
+    const Event p = trace_event (a, i), q = trace_event (b, i);
 
-    if (p->kind != q->kind || p->facet != q->facet || p->site != q->site
-        || p->ridge[0] != q->ridge[0] || p->ridge[1] != q->ridge[1])
+    if (p.kind != q.kind || p.facet != q.facet || p.site != q.site
+        || p.ridge[0] != q.ridge[0] || p.ridge[1] != q.ridge[1])
       g_error ("%s: event %u differs", name, i);
   }
 }

@@ -166,13 +166,13 @@ check_changes (const Round *round)
                  upper + h == count_seen (round, FACING_UPPER) + h_after);
 }
 
-static const Event *
+static Event
 horizon_event (const Round *round, uint32_t i)
 {
   const uint32_t first = round->row->first_horizon;
   const uint32_t n = round->row->last_horizon - first + 1;
 
-  return &round->fixture->trace->events[first - 1 + i % n];
+  return trace_event (round->fixture->trace, first - 1 + i % n);
 }
 
 static void
@@ -182,13 +182,13 @@ check_loop (const Round *round)
   g_autofree bool *is_met = g_new0 (bool, round->fixture->set->n_sites);
 
   for (uint32_t i = 0; i < n; i++) {
-    const Event *ridge = horizon_event (round, i);
-    const Event *next = horizon_event (round, i + 1);
+    const Event ridge = horizon_event (round, i);
+    const Event next = horizon_event (round, i + 1);
 
-    moment_assert (round->before, ridge->ridge[1] == next->ridge[0]);
-    moment_assert (round->before, !is_met[ridge->ridge[0]]);
-    moment_assert (round->before, !is_seen (round, ridge->facet));
-    is_met[ridge->ridge[0]] = true;
+    moment_assert (round->before, ridge.ridge[1] == next.ridge[0]);
+    moment_assert (round->before, !is_met[ridge.ridge[0]]);
+    moment_assert (round->before, !is_seen (round, ridge.facet));
+    is_met[ridge.ridge[0]] = true;
   }
 }
 
@@ -202,11 +202,12 @@ check_star (const Round *round)
   if (place_of_apex (round) <= 0)
     return;
   for (uint32_t i = 0; i < n; i++) {
-    const uint32_t *ridge = horizon_event (round, i)->ridge;
+    const Event event = horizon_event (round, i);
 
-    moment_assert (round->before, judge_orient (round->before->judge, ridge[0],
-                                                ridge[1], round->row->site)
-                                      < 0);
+    moment_assert (round->before,
+                   judge_orient (round->before->judge, event.ridge[0],
+                                 event.ridge[1], round->row->site)
+                       < 0);
   }
 }
 
@@ -219,8 +220,8 @@ count_crossings (const Round *round)
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t j = i + 1; j < n; j++)
       n_crossings
-          += judge_cross (round->before->judge, horizon_event (round, i)->ridge,
-                          horizon_event (round, j)->ridge);
+          += judge_cross (round->before->judge, horizon_event (round, i).ridge,
+                          horizon_event (round, j).ridge);
   return n_crossings;
 }
 
@@ -310,18 +311,18 @@ check_furthest (const Round *round)
   if (trace->order.kind != ORDER_FURTHEST)
     return;
   for (uint32_t i = 0; i < trace->n_claims; i++) {
-    const ClaimRow *claim = &trace->claims[i];
+    const ClaimRow claim = trace_claim (trace, i);
     int further;
 
-    if (!span_has (claim->span, round->before->step))
+    if (!span_has (claim.span, round->before->step))
       continue;
-    moment_assert (round->before, claim->facet >= facet);
-    if (claim->facet != facet || claim->site == apex)
+    moment_assert (round->before, claim.facet >= facet);
+    if (claim.facet != facet || claim.site == apex)
       continue;
-    further = compare_further (round->before, facet, apex, claim->site);
+    further = compare_further (round->before, facet, apex, claim.site);
     cases.ties_of_furthest += further == 0;
     moment_assert (round->before,
-                   further > 0 || (further == 0 && apex < claim->site));
+                   further > 0 || (further == 0 && apex < claim.site));
   }
 }
 
@@ -333,13 +334,13 @@ check_partition (const Round *round)
   g_autofree guint *n_claims = g_new0 (guint, trace->set->n_sites);
 
   for (uint32_t i = 0; i < trace->n_claims; i++) {
-    const ClaimRow *claim = &trace->claims[i];
+    const ClaimRow claim = trace_claim (trace, i);
 
-    if (!span_has (claim->span, round->after->step))
+    if (!span_has (claim.span, round->after->step))
       continue;
-    n_claims[claim->site] += 1;
+    n_claims[claim.site] += 1;
     moment_assert (round->after,
-                   moment_sees (round->after, claim->facet, claim->site));
+                   moment_sees (round->after, claim.facet, claim.site));
   }
   for (uint32_t i = 0; i < trace->set->n_sites; i++) {
     const bool is_waiting

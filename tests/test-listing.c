@@ -59,7 +59,7 @@ test_only_what_runs_has_a_line (void)
   const Trace *trace = fixture->trace;
 
   for (uint32_t step = 1; step <= trace->n_events; step++) {
-    const EventKind kind = trace->events[step - 1].kind;
+    const EventKind kind = trace_event (trace, step - 1).kind;
     const char *text = text_at (LISTING_HULL_CORRECTED, trace, step);
 
     g_assert_null (text_at (LISTING_HULL_2004, trace, step));

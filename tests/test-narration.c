@@ -64,12 +64,19 @@ names (const char *sentence, char kind, uint32_t number)
   return g_regex_match_simple (pattern, sentence, 0, 0);
 }
 
+static Event
+event_of_step (const Fixture *fixture, uint32_t step)
+{
+  return trace_event (fixture->trace, step == 0 ? 0 : step - 1);
+}
+
 static void
 check_names_its_event (const Fixture *fixture,
                        uint32_t step,
                        const char *sentence)
 {
-  const Event *event = step == 0 ? NULL : &fixture->trace->events[step - 1];
+  const Event said = event_of_step (fixture, step);
+  const Event *event = step == 0 ? NULL : &said;
 
   if (event == NULL || event->kind == EVENT_COMPLETE
       || event->kind == EVENT_FLAT)
@@ -100,7 +107,8 @@ check_tells_the_truth (const Fixture *fixture,
                        uint32_t step,
                        const char *sentence)
 {
-  const Event *event = step == 0 ? NULL : &fixture->trace->events[step - 1];
+  const Event said = event_of_step (fixture, step);
+  const Event *event = step == 0 ? NULL : &said;
   g_autoptr (Judge) judge = NULL;
   g_autoptr (Moment) moment = NULL;
   Facing facing;
@@ -132,9 +140,9 @@ test_translation (void)
 {
   g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
   const uint32_t step = fixture->trace->rounds[0].first_visible;
-  const Event *event = &fixture->trace->events[step - 1];
-  g_autofree char *expected = g_strdup_printf ("f%u ← s%u; s%u", event->facet,
-                                               event->site, event->site);
+  const Event event = trace_event (fixture->trace, step - 1);
+  g_autofree char *expected
+      = g_strdup_printf ("f%u ← s%u; s%u", event.facet, event.site, event.site);
   char text[NARRATION_ROOM];
 
   narration_write (fixture->trace, step, turned_round, text);

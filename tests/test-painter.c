@@ -256,10 +256,10 @@ static uint32_t
 ridge_of (const Trace *trace, const Event *event)
 {
   for (uint32_t i = 0; i < trace->n_ridges; i++) {
-    const uint32_t *site = trace->ridges[i].site;
+    const RidgeRow row = trace_ridge (trace, i);
 
-    if ((site[0] == event->ridge[0] && site[1] == event->ridge[1])
-        || (site[0] == event->ridge[1] && site[1] == event->ridge[0]))
+    if ((row.site[0] == event->ridge[0] && row.site[1] == event->ridge[1])
+        || (row.site[0] == event->ridge[1] && row.site[1] == event->ridge[0]))
       return i;
   }
   g_assert_not_reached ();
@@ -278,9 +278,9 @@ test_missed_on_the_horizon (void)
     cairo_surface_t *without = paint_answer (fixture, theme, NULL);
 
     for (uint32_t i = round->first_horizon; i <= round->last_horizon; i++) {
-      const Event *event = &fixture->trace->events[i - 1];
+      const Event event = trace_event (fixture->trace, i - 1);
       const SceneAnswer missed = {
-        { OBJECT_RIDGE, ridge_of (fixture->trace, event) }, ANSWER_MISSED, 0
+        { OBJECT_RIDGE, ridge_of (fixture->trace, &event) }, ANSWER_MISSED, 0
       };
       cairo_surface_t *out = paint_answer (fixture, theme, &missed);
 

@@ -113,8 +113,11 @@ check_run (const char *name, const Run *run)
       g_error ("%s, round %u: %s", name, round + 1, why);
     frame_clear (&frame);
   }
-  for (guint i = 0; i < run->trace->n_events; i++)
-    g_assert_null (trace_recorder_add (recorder, &run->trace->events[i]));
+  for (guint i = 0; i < run->trace->n_events; i++) {
+    const Event event = trace_event (run->trace, i);
+
+    g_assert_null (trace_recorder_add (recorder, &event));
+  }
   trace_free (trace_recorder_finish (recorder));
 }
 
@@ -130,9 +133,9 @@ check_choices (const Performance *performance)
     guint n = 0;
 
     for (guint k = 0; k < trace->n_events; k++)
-      n += trace->events[k].kind == choice.kind
-           && trace->events[k].facet == choice.facet
-           && trace->events[k].site == choice.site;
+      n += trace_event (trace, k).kind == choice.kind
+           && trace_event (trace, k).facet == choice.facet
+           && trace_event (trace, k).site == choice.site;
     g_assert_cmpuint (n, ==, 1);
   }
 }
@@ -208,9 +211,12 @@ test_the_model_answer_is_the_engines_own_run (void)
 
   performance_play (performance, TRUE);
   g_assert_true (performance->run == run);
-  for (guint i = 0; i < trace->n_events; i++)
-    g_assert_cmpmem (&trace->events[i], sizeof (Event),
-                     &fixture->trace->events[i], sizeof (Event));
+  for (guint i = 0; i < trace->n_events; i++) {
+    const Event event = trace_event (trace, i);
+    const Event other = trace_event (fixture->trace, i);
+
+    g_assert_cmpmem (&event, sizeof event, &other, sizeof other);
+  }
 }
 
 /* The score */

@@ -203,16 +203,16 @@ test_dual_edges (void)
   for (i = 0; i < stage->plane.n_items; i++) {
     const SceneItem *edge = &stage->plane.items[i];
     const SceneItem *dual;
-    const RidgeRow *row;
+    RidgeRow row;
     Point3 a, b, c, d, tail;
 
     if (edge->role != ROLE_DELAUNAY_EDGE)
       continue;
     dual = stage_find (&stage->plane, ROLE_VORONOI_EDGE, edge->object);
-    row = &stage->fixture->trace->ridges[edge->object.number];
+    row = trace_ridge (stage->fixture->trace, edge->object.number);
     a = stage->plane.points[edge->first];
     b = stage->plane.points[edge->first + 1];
-    tail = scene_point (&stage->look, stage_site (stage, row->site[0]), false);
+    tail = scene_point (&stage->look, stage_site (stage, row.site[0]), false);
     g_assert_true ((tail.x == a.x && tail.y == a.y)
                    || (tail.x == b.x && tail.y == b.y));
     if (dual == NULL)

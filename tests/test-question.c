@@ -323,9 +323,9 @@ is_furthest (const Trace *trace, const Occasion *occasion, guint site)
       = { sites[corner[0]], sites[corner[1]], sites[corner[2]] };
 
   for (guint i = 0; i < trace->n_claims; i++)
-    if (trace->claims[i].facet == round->facet
-        && span_has (trace->claims[i].span, occasion->step)
-        && lift_judge_further (plane, &sites[trace->claims[i].site],
+    if (trace_claim (trace, i).facet == round->facet
+        && span_has (trace_claim (trace, i).span, occasion->step)
+        && lift_judge_further (plane, &sites[trace_claim (trace, i).site],
                                &sites[site])
                > 0)
       return FALSE;
@@ -341,12 +341,12 @@ judge_furthest (const Judged *judged,
   const Trace *trace = judged->fixture->trace;
 
   for (guint i = 0; i < trace->n_claims; i++) {
-    const ClaimRow *claim = &trace->claims[i];
+    const ClaimRow claim = trace_claim (trace, i);
 
-    if (claim->facet == occasion_round (occasion)->facet
-        && span_has (claim->span, occasion->step))
-      g_assert_cmpint (has_object (answer, OBJECT_SITE, claim->site), ==,
-                       is_furthest (trace, occasion, claim->site));
+    if (claim.facet == occasion_round (occasion)->facet
+        && span_has (claim.span, occasion->step))
+      g_assert_cmpint (has_object (answer, OBJECT_SITE, claim.site), ==,
+                       is_furthest (trace, occasion, claim.site));
   }
 }
 

@@ -38,8 +38,9 @@ static uint32_t
 claimed_by (const Trace *trace, uint32_t site, uint32_t step)
 {
   for (uint32_t i = 0; i < trace->n_claims; i++)
-    if (trace->claims[i].site == site && span_has (trace->claims[i].span, step))
-      return trace->claims[i].facet;
+    if (trace_claim (trace, i).site == site
+        && span_has (trace_claim (trace, i).span, step))
+      return trace_claim (trace, i).facet;
   return INDEX_NONE;
 }
 
@@ -99,11 +100,11 @@ test_cross5 (void)
                     STEP_NEVER);
   g_assert_cmpuint (trace->facets[fixture_facet (fixture, 0, 1, 3)].seen, !=,
                     STEP_NEVER);
-  while (loop[start] != trace->events[row->first_horizon - 1].ridge[0])
+  while (loop[start] != trace_event (trace, row->first_horizon - 1).ridge[0])
     start += 1;
   for (guint i = 0; i < 4; i++) {
-    const Event *event = &trace->events[row->first_horizon - 1 + i];
-    const guint tail = event->ridge[0], head = event->ridge[1];
+    const Event event = trace_event (trace, row->first_horizon - 1 + i);
+    const guint tail = event.ridge[0], head = event.ridge[1];
 
     g_assert_true (
         (tail == loop[(start + i) % 4] && head == loop[(start + i + 1) % 4])
@@ -199,7 +200,8 @@ test_wheel8 (void)
 
   for (guint i = 0; i < 4; i++) {
     const RoundRow *row = &fixture->trace->rounds[i];
-    const uint32_t facet = fixture->trace->events[row->first_visible - 1].facet;
+    const uint32_t facet
+        = trace_event (fixture->trace, row->first_visible - 1).facet;
 
     g_assert_cmpuint (row->site, ==, 4 + i);
     g_assert_cmpuint (row->last_visible - row->first_visible + 1, ==,

@@ -46,7 +46,8 @@ write_events (GString *text, const Trace *trace, uint32_t first, uint32_t last)
   Kinds kinds = { 0, 0, 0 };
 
   for (uint32_t step = first; step <= last; step++)
-    add_kind (&kinds, trace->facets[trace->events[step - 1].facet].facing);
+    add_kind (&kinds,
+              trace->facets[trace_event (trace, step - 1).facet].facing);
   write_kinds (text, kinds);
 }
 

@@ -67,10 +67,10 @@ test_goto_lands_after_the_last_event (void)
 
   g_assert_true (timeline_find (trace, (Place){ 3, PHASE_SEE }, FALSE, &step));
   g_assert_true (timeline_find (trace, (Place){ 3, PHASE_SEE }, TRUE, &before));
-  g_assert_cmpint (trace->events[step - 1].kind, ==, EVENT_VISIBLE);
-  g_assert_cmpint (trace->events[step].kind, ==, EVENT_HORIZON);
-  g_assert_cmpint (trace->events[before].kind, ==, EVENT_VISIBLE);
-  g_assert_cmpint (trace->events[before - 1].kind, ==, EVENT_SELECT);
+  g_assert_cmpint (trace_event (trace, step - 1).kind, ==, EVENT_VISIBLE);
+  g_assert_cmpint (trace_event (trace, step).kind, ==, EVENT_HORIZON);
+  g_assert_cmpint (trace_event (trace, before).kind, ==, EVENT_VISIBLE);
+  g_assert_cmpint (trace_event (trace, before - 1).kind, ==, EVENT_SELECT);
   g_assert_cmpuint (step - before, ==, 3);
 }
 

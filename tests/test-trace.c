@@ -24,7 +24,7 @@ check_spans (const Fixture *fixture)
     }
   }
   for (i = 0; i < trace->n_claims; i++)
-    g_assert_cmpuint (trace->claims[i].span.death, !=, STEP_NEVER);
+    g_assert_cmpuint (trace_claim (trace, i).span.death, !=, STEP_NEVER);
 }
 
 static void
@@ -46,9 +46,9 @@ check_ridges (const Fixture *fixture)
     uint32_t k;
 
     for (k = 0; k < trace->n_ridges; k++)
-      if (span_has (trace->ridges[k].span, step)) {
-        n_ridges[trace->ridges[k].facet[0]] += 1;
-        n_ridges[trace->ridges[k].facet[1]] += 1;
+      if (span_has (trace_ridge (trace, k).span, step)) {
+        n_ridges[trace_ridge (trace, k).facet[0]] += 1;
+        n_ridges[trace_ridge (trace, k).facet[1]] += 1;
       }
     for (k = 0; k < trace->n_facets; k++)
       g_assert_cmpuint (n_ridges[k], ==,
@@ -62,6 +62,37 @@ test_every_standing_facet_has_three_neighbours (void)
   fixture_for_each (3, 20, ORDER_FURTHEST, check_ridges);
 }
 
+#define ASSERT_SAME_ROWS(a, b, rows)                                           \
+  g_assert_cmpmem ((a)->rows, (a)->n_##rows * sizeof *(a)->rows, (b)->rows,    \
+                   (b)->n_##rows * sizeof *(b)->rows)
+
+/* All that a trace tells. */
+static void
+assert_same (const Trace *a, const Trace *b)
+{
+  ASSERT_SAME_ROWS (a, b, facets);
+  ASSERT_SAME_ROWS (a, b, rounds);
+  g_assert_cmpuint (a->n_events, ==, b->n_events);
+  g_assert_cmpuint (a->n_ridges, ==, b->n_ridges);
+  g_assert_cmpuint (a->n_claims, ==, b->n_claims);
+  g_assert_cmpuint (a->simplex_end, ==, b->simplex_end);
+  g_assert_cmpuint (a->start_end, ==, b->start_end);
+  g_assert_cmpint (a->is_flat, ==, b->is_flat);
+  g_assert_cmpmem (a->inserted, a->set->n_sites * sizeof *a->inserted,
+                   b->inserted, b->set->n_sites * sizeof *b->inserted);
+  for (uint32_t i = 0; i < a->n_events; i++) {
+    const Event event = trace_event (a, i), other = trace_event (b, i);
+
+    g_assert_cmpmem (&event, sizeof event, &other, sizeof other);
+  }
+}
+
+static const char *
+add (TraceRecorder *recorder, Event event)
+{
+  return trace_recorder_add (recorder, &event);
+}
+
 static void
 test_events_fed_again_give_the_same_trace (void)
 {
@@ -71,18 +102,68 @@ test_events_fed_again_give_the_same_trace (void)
   Trace *copy;
 
   for (uint32_t i = 0; i < trace->n_events; i++)
-    g_assert_null (trace_recorder_add (recorder, &trace->events[i]));
+    g_assert_null (add (recorder, trace_event (trace, i)));
   copy = trace_recorder_finish (recorder);
   g_assert_nonnull (copy);
-  g_assert_cmpmem (copy->facets, copy->n_facets * sizeof *copy->facets,
-                   trace->facets, trace->n_facets * sizeof *trace->facets);
-  g_assert_cmpmem (copy->ridges, copy->n_ridges * sizeof *copy->ridges,
-                   trace->ridges, trace->n_ridges * sizeof *trace->ridges);
-  g_assert_cmpmem (copy->claims, copy->n_claims * sizeof *copy->claims,
-                   trace->claims, trace->n_claims * sizeof *trace->claims);
-  g_assert_cmpmem (copy->rounds, copy->n_rounds * sizeof *copy->rounds,
-                   trace->rounds, trace->n_rounds * sizeof *trace->rounds);
+  assert_same (copy, trace);
   trace_free (copy);
+}
+
+/* The engine's own record, and that of a hook which hears each event. */
+static void
+check_recorded (const Fixture *fixture)
+{
+  const Trace *trace = fixture->trace;
+  TraceRecorder *recorder = trace_recorder_new (fixture->set, &trace->order);
+  const HullHook hook = { trace_recorder_hook, recorder };
+  Trace *heard;
+
+  hull_build (fixture->set, &trace->order, &hook);
+  heard = trace_recorder_finish (recorder);
+  g_assert_nonnull (heard);
+  assert_same (heard, trace);
+  trace_free (heard);
+}
+
+static void
+test_recorded_is_what_a_hook_hears (void)
+{
+  const OrderKind orders[] = { ORDER_FURTHEST, ORDER_RANDOM, ORDER_INPUT };
+
+  for (guint i = 0; i < G_N_ELEMENTS (orders); i++)
+    fixture_for_each (3, 40, orders[i], check_recorded);
+}
+
+/* What hears every event, and counts none. */
+static void
+on_event_kept (const Event *event, void *user)
+{
+  g_array_append_vals (user, event, 1);
+}
+
+/* Told from the log, an event is the one that was heard. */
+static void
+check_told (const Fixture *fixture)
+{
+  const Trace *trace = fixture->trace;
+  g_autoptr (GArray) events = g_array_new (FALSE, TRUE, sizeof (Event));
+  const HullHook hook = { on_event_kept, events };
+
+  hull_build (fixture->set, &trace->order, &hook);
+  g_assert_cmpuint (events->len, ==, trace->n_events);
+  for (guint i = 0; i < events->len; i++) {
+    const Event event = trace_event (trace, i);
+
+    g_assert_cmpmem (&event, sizeof event, &g_array_index (events, Event, i),
+                     sizeof event);
+  }
+}
+
+static void
+test_told_is_what_was_heard (void)
+{
+  fixture_for_each (3, 40, ORDER_FURTHEST, check_told);
+  fixture_for_each (3, 40, ORDER_HILBERT, check_told);
 }
 
 /* Feeds a trace with one event left out or doubled: every such trace breaks
@@ -98,7 +179,7 @@ is_accepted (const Fixture *fixture, uint32_t at, uint32_t n_times)
 
   for (uint32_t i = 0; i < trace->n_events && why == NULL; i++)
     for (uint32_t k = 0; k < (i == at ? n_times : 1) && why == NULL; k++)
-      why = trace_recorder_add (recorder, &trace->events[i]);
+      why = add (recorder, trace_event (trace, i));
   copy = trace_recorder_finish (recorder);
   is_whole = why == NULL && copy != NULL;
   trace_free (copy);
@@ -129,10 +210,10 @@ test_numbers_out_of_range_are_refused (void)
     for (guint k = 0; k < 2; k++) {
       TraceRecorder *recorder
           = trace_recorder_new (fixture->set, &trace->order);
-      Event event = trace->events[i];
+      Event event = trace_event (trace, i);
 
       for (uint32_t before = 0; before < i; before++)
-        g_assert_null (trace_recorder_add (recorder, &trace->events[before]));
+        g_assert_null (add (recorder, trace_event (trace, before)));
       if (event.kind != EVENT_COMPLETE) {
         event.facet = wrong[k];
         g_assert_nonnull (trace_recorder_add (recorder, &event));
@@ -157,7 +238,7 @@ test_pseudocode_line_belongs_to_the_event (void)
 
   g_assert_cmpuint (pseudocode_line (trace, 0), ==, INDEX_NONE);
   for (uint32_t step = 1; step <= trace->n_events; step++) {
-    const EventKind kind = trace->events[step - 1].kind;
+    const EventKind kind = trace_event (trace, step - 1).kind;
     const uint32_t line = pseudocode_line (trace, step);
 
     g_assert_cmpuint (line, <, n_lines);
@@ -206,11 +287,11 @@ check_given_up (const Fixture *fixture)
                     is_whole ? trace->n_events : trace->rounds[1].end);
   for (guint i = 0; i < events->len; i++) {
     const Event *a = &g_array_index (events, Event, i);
-    const Event *b = &trace->events[i];
+    const Event b = trace_event (trace, i);
 
-    g_assert_cmpint (a->kind, ==, b->kind);
-    g_assert_cmpuint (a->facet, ==, b->facet);
-    g_assert_cmpuint (a->site, ==, b->site);
+    g_assert_cmpint (a->kind, ==, b.kind);
+    g_assert_cmpuint (a->facet, ==, b.facet);
+    g_assert_cmpuint (a->site, ==, b.site);
   }
 }
 
@@ -232,6 +313,10 @@ main (int argc, char **argv)
                    test_events_fed_again_give_the_same_trace);
   g_test_add_func ("/trace/a-hull-that-is-given-up-ends-with-a-round",
                    test_given_up);
+  g_test_add_func ("/trace/what-is-recorded-is-what-a-hook-hears",
+                   test_recorded_is_what_a_hook_hears);
+  g_test_add_func ("/trace/an-event-told-from-the-log-is-the-one-heard",
+                   test_told_is_what_was_heard);
   g_test_add_func ("/trace/an-event-left-out-or-doubled-is-refused",
                    test_event_left_out_or_doubled_is_refused);
   g_test_add_func ("/trace/numbers-out-of-range-are-refused",

@@ -201,8 +201,8 @@ chosen_text (AnswerList *list, Object object)
 
   if (object.kind != OBJECT_RIDGE)
     return question_item_text (list->question, object);
-  return g_strdup_printf ("s%u–s%u", trace->ridges[object.number].site[0],
-                          trace->ridges[object.number].site[1]);
+  return g_strdup_printf ("s%u–s%u", trace_ridge (trace, object.number).site[0],
+                          trace_ridge (trace, object.number).site[1]);
 }
 
 static void

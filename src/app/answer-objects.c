@@ -37,10 +37,10 @@ is_shown (Canvas *canvas, guint facet)
 static gboolean
 is_ridge_shown (Canvas *canvas, guint ridge)
 {
-  const RidgeRow *row
-      = &session_get_trace (canvas_get_session (canvas))->ridges[ridge];
+  const RidgeRow row
+      = trace_ridge (session_get_trace (canvas_get_session (canvas)), ridge);
 
-  return is_shown (canvas, row->facet[0]) || is_shown (canvas, row->facet[1]);
+  return is_shown (canvas, row.facet[0]) || is_shown (canvas, row.facet[1]);
 }
 
 /* Returns: (transfer full): all of them, sites first. */

@@ -50,7 +50,8 @@ list_corners (Session *session, Object object, uint32_t corners[3])
     return 1;
   }
   if (object.kind == OBJECT_RIDGE && object.number < trace->n_ridges) {
-    memcpy (corners, trace->ridges[object.number].site, 2 * sizeof corners[0]);
+    memcpy (corners, trace_ridge (trace, object.number).site,
+            2 * sizeof corners[0]);
     return 2;
   }
   if (object.kind != OBJECT_FACET && object.kind != OBJECT_VERTEX)

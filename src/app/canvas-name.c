@@ -77,8 +77,9 @@ name_ridge (Session *session, guint ridge)
 
   if (ridge >= trace->n_ridges)
     return g_strdup ("");
-  return g_strdup_printf (_ ("ridge s%u s%u"), trace->ridges[ridge].site[0],
-                          trace->ridges[ridge].site[1]);
+  return g_strdup_printf (_ ("ridge s%u s%u"),
+                          trace_ridge (trace, ridge).site[0],
+                          trace_ridge (trace, ridge).site[1]);
 }
 
 static char *

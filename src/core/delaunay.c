@@ -263,14 +263,21 @@ static void
 init_hull (Delaunay *delaunay, const Trace *trace, uint32_t base)
 {
   uint32_t *triangle_of;
-  uint32_t ridge;
+  uint32_t facet, k;
 
   make_room (delaunay);
   triangle_of = add_triangles (delaunay, trace, base);
-  for (ridge = 0; ridge < trace->n_ridges; ridge++)
-    if (span_has (trace->ridges[ridge].span, base))
-      add_ridge (delaunay, triangle_of, trace->ridges[ridge].site,
-                 trace->ridges[ridge].facet);
+  for (facet = 0; facet < trace->n_facets; facet++) {
+    FacetRidges ridges;
+
+    if (!span_has (trace->facets[facet].span, base))
+      continue;
+    ridges = trace_facet_ridges (trace, facet);
+    for (k = 0; k < ridges.n; k++)
+      if (span_has (ridges.row[k].span, base))
+        add_ridge (delaunay, triangle_of, ridges.row[k].site,
+                   ridges.row[k].facet);
+  }
   free (triangle_of);
 }
 

@@ -95,24 +95,32 @@ is_coplanar (const Trace *trace, const RidgeRow *ridge)
 }
 
 static void
+add_ridge (Frame *frame, uint32_t ridge, const RidgeRow *row)
+{
+  FrameRidge *place = &frame->ridges[frame->n_ridges++];
+
+  place->ridge = ridge;
+  memcpy (place->site, row->site, sizeof place->site);
+  memcpy (place->facet, row->facet, sizeof place->facet);
+  place->is_coplanar = is_coplanar (frame->trace, row);
+}
+
+static void
 add_ridges (Frame *frame)
 {
-  const Trace *trace = frame->trace;
-  uint32_t room = 0;
-  uint32_t ridge;
+  uint32_t i, k;
 
-  for (ridge = 0; ridge < trace->n_ridges; ridge++) {
-    FrameRidge *row;
+  frame->ridges
+      = memory_new (3 * (size_t)frame->n_facets, sizeof *frame->ridges);
+  for (i = 0; i < frame->n_facets; i++) {
+    FacetRidges ridges;
 
-    if (!span_has (trace->ridges[ridge].span, frame->base))
+    if ((frame->facets[i].roles & FACET_STANDS) == 0)
       continue;
-    if (frame->n_ridges == room)
-      frame->ridges
-          = memory_grow (frame->ridges, &room, room + 1, sizeof *frame->ridges);
-    row = &frame->ridges[frame->n_ridges++];
-    memset (row, 0, sizeof *row);
-    row->ridge = ridge;
-    row->is_coplanar = is_coplanar (trace, &trace->ridges[ridge]);
+    ridges = trace_facet_ridges (frame->trace, frame->facets[i].facet);
+    for (k = 0; k < ridges.n; k++)
+      if (span_has (ridges.row[k].span, frame->base))
+        add_ridge (frame, ridges.first + k, &ridges.row[k]);
   }
 }
 
@@ -136,11 +144,12 @@ add_horizon (Frame *frame)
   frame->n_horizon = taken (frame, round->first_horizon, round->last_horizon);
   frame->horizon = memory_new (frame->n_horizon, sizeof *frame->horizon);
   for (i = 0; i < frame->n_horizon; i++) {
-    const Event *event = &frame->trace->events[round->first_horizon - 1 + i];
+    const Event event
+        = trace_event (frame->trace, round->first_horizon - 1 + i);
 
     frame->horizon[i]
-        = (FrameHorizon){ { event->ridge[0], event->ridge[1] }, event->facet };
-    frame->sites[event->ridge[0]].is_changed = true;
+        = (FrameHorizon){ { event.ridge[0], event.ridge[1] }, event.facet };
+    frame->sites[event.ridge[0]].is_changed = true;
   }
 }
 
@@ -149,6 +158,7 @@ add_sites (Frame *frame)
 {
   const Trace *trace = frame->trace;
   const RoundRow *round = round_in_hand (frame);
+  ClaimRange range;
   uint32_t i;
 
   frame->n_sites = trace->set->n_sites;
@@ -165,11 +175,12 @@ add_sites (Frame *frame)
   if (round == NULL)
     return;
   frame->sites[round->site].state = SITE_APEX;
-  for (i = 0; i < trace->n_claims; i++) {
-    const ClaimRow *claim = &trace->claims[i];
+  range = trace_claims_with (trace, round->facet);
+  for (i = range.first; i < range.end; i++) {
+    const ClaimRow claim = trace_claim (trace, i);
 
-    if (claim->facet == round->facet && span_has (claim->span, frame->step))
-      frame->sites[claim->site].state = SITE_OUTSIDE;
+    if (claim.facet == round->facet && span_has (claim.span, frame->step))
+      frame->sites[claim.site].state = SITE_OUTSIDE;
   }
 }
 
@@ -230,22 +241,51 @@ count_round (Frame *frame)
   counts->retired = taken (frame, round->first_retire, round->last_retire);
 }
 
+/* Counts the facets that got an outside set in the round in which @facet was
+ * born, and have it: a site leaves it when it is selected, all others when the
+ * facet retires. */
+static void
+count_outside_sets (Frame *frame, uint32_t facet, bool *is_counted)
+{
+  const Trace *trace = frame->trace;
+  const ClaimRange range = trace_claims_with (trace, facet);
+  const RoundRow *round = round_in_hand (frame);
+  const uint32_t apex = round == NULL ? INDEX_NONE : round->site;
+  const uint32_t birth
+      = facet < 4 ? trace->simplex_end
+                  : trace->rounds[trace->facets[facet].round - 1].last_retire;
+  uint32_t i;
+
+  for (i = range.first; i < range.end; i++) {
+    const LogClaim *claim = &trace->log.claims[i];
+
+    if (birth + 1 + (i - range.first) > frame->step)
+      break;
+    if (claim->site == apex || is_counted[claim->facet]
+        || !span_has (trace->facets[claim->facet].span, frame->step))
+      continue;
+    is_counted[claim->facet] = true;
+    frame->counts.outside_sets += 1;
+  }
+}
+
 static void
 count_outside (Frame *frame)
 {
   const Trace *trace = frame->trace;
-  bool *has_outside = memory_new (trace->n_facets, sizeof *has_outside);
-  uint32_t i;
+  bool *is_counted = memory_new (trace->n_facets, sizeof *is_counted);
+  uint32_t i, round = INDEX_NONE;
 
-  for (i = 0; i < trace->n_claims; i++) {
-    const ClaimRow *claim = &trace->claims[i];
+  for (i = 0; i < frame->n_facets; i++) {
+    const uint32_t facet = frame->facets[i].facet;
 
-    if (!span_has (claim->span, frame->step) || has_outside[claim->facet])
+    if (trace->facets[facet].round == round
+        || !span_has (trace->facets[facet].span, frame->step))
       continue;
-    has_outside[claim->facet] = true;
-    frame->counts.outside_sets += 1;
+    round = trace->facets[facet].round;
+    count_outside_sets (frame, facet, is_counted);
   }
-  free (has_outside);
+  free (is_counted);
   for (i = 0; i < trace->set->n_sites; i++) {
     if (trace->inserted[i] <= frame->step)
       frame->counts.n_inserted += 1;

@@ -48,7 +48,9 @@ typedef struct FrameFacet {
 } FrameFacet;
 
 typedef struct FrameRidge {
-  uint32_t ridge;   /* row of Trace.ridges */
+  uint32_t ridge;   /* its number in the trace */
+  uint32_t site[2]; /* as of RidgeRow */
+  uint32_t facet[2];
   bool is_coplanar; /* its two facets lie in one plane: a free diagonal, or a
                        line across a vertical or upper polygon */
 } FrameRidge;

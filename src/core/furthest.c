@@ -76,11 +76,11 @@ find_groups (Upper *upper)
   uint32_t i;
 
   for (i = 0; i < frame->n_ridges; i++) {
-    const RidgeRow *row = &frame->trace->ridges[frame->ridges[i].ridge];
+    const FrameRidge *row = &frame->ridges[i];
     const uint32_t a = upper_find (upper, row->facet[0]);
     const uint32_t b = upper_find (upper, row->facet[1]);
 
-    if (frame->ridges[i].is_coplanar && a != INDEX_NONE && b != INDEX_NONE)
+    if (row->is_coplanar && a != INDEX_NONE && b != INDEX_NONE)
       upper_join (upper, a, b);
   }
 }
@@ -131,9 +131,8 @@ add_vertices (Furthest *furthest, Upper *upper)
 static void
 add_edge (Furthest *furthest, const Upper *upper, const FrameRidge *ridge)
 {
-  const RidgeRow *row = &upper->frame->trace->ridges[ridge->ridge];
-  const uint32_t left = upper_find (upper, row->facet[0]);
-  const uint32_t right = upper_find (upper, row->facet[1]);
+  const uint32_t left = upper_find (upper, ridge->facet[0]);
+  const uint32_t right = upper_find (upper, ridge->facet[1]);
   const bool is_turned = left == INDEX_NONE;
   FurthestEdge *edge;
 
@@ -141,7 +140,7 @@ add_edge (Furthest *furthest, const Upper *upper, const FrameRidge *ridge)
     return;
   edge = &furthest->edges[furthest->n_edges++];
   *edge = (FurthestEdge){
-    .site = { row->site[is_turned ? 1 : 0], row->site[is_turned ? 0 : 1] },
+    .site = { ridge->site[is_turned ? 1 : 0], ridge->site[is_turned ? 0 : 1] },
     .vertex = { upper->group[is_turned ? right : left], INDEX_NONE },
     .ridge = ridge->ridge
   };

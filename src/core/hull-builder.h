@@ -5,8 +5,9 @@
  * tell a hook of every event. With HULL_BATCH they tell nothing, so that no
  * event costs anything; a cone takes over the numbers of the facets that
  * retire, so that only the hull is kept; and listed sites may be located by
- * walking. Both come a second time for processors with AVX2. HULL_PREFIX
- * tells the builds apart. */
+ * walking. With HULL_RECORD they write a log instead of calling a hook. All
+ * come a second time for processors with AVX2. HULL_PREFIX tells the builds
+ * apart. */
 #ifndef HULL_BUILDER_H
 #define HULL_BUILDER_H
 
@@ -16,6 +17,7 @@
 #include "hull-mesh.h"
 #include "order.h"
 #include "predicate.h"
+#include "trace-log.h"
 
 #include <stddef.h>
 
@@ -60,8 +62,11 @@ typedef struct HullBuilder {
   uint32_t n_sites;
   const uint32_t *first; /* of a SiteSet; NULL: duplicates are found and
                             dropped on the way */
-  const HullHook *hook;  /* never looked at in the batch build */
-  HullWanted is_wanted;  /* nor this; NULL: to the end */
+  const HullHook *hook;  /* looked at in the builds that call it alone */
+  TraceLog *log;         /* and this, in those that write it */
+  HullWanted is_wanted;  /* never looked at in the batch build; NULL: to the
+                            end */
+  void *user;            /* who is asked */
   bool is_given_up;
 
   HullFacet *facets;
@@ -116,8 +121,11 @@ typedef struct HullBuilder {
  * Returns: false when all lifts lie in one plane: nothing is built. */
 bool hull_run (HullBuilder *b);
 
-/* Its other builds: without a hook, with the horizon's ridges in the order of
- * lessons and in the fastest one; and, with HULL_HAS_AVX2, for AVX2. */
+/* Its other builds: with a log; without a hook, with the horizon's ridges in
+ * the order of lessons and in the fastest one; and, with HULL_HAS_AVX2, for
+ * AVX2. */
+bool record_hull_run (HullBuilder *b);
+bool record_avx2_hull_run (HullBuilder *b);
 bool lesson_hull_run (HullBuilder *b);
 bool batch_hull_run (HullBuilder *b);
 bool avx2_hull_run (HullBuilder *b);
@@ -216,6 +224,8 @@ hull_tell (const HullBuilder *b, Event event)
 #ifdef HULL_BATCH
   (void)b;
   (void)event;
+#elif defined(HULL_RECORD)
+  trace_log_add (b->log, &event);
 #else
   if (b->hook != NULL)
     b->hook->on_event (&event, b->hook->user);
@@ -233,9 +243,11 @@ hull_may_claim (const HullBuilder *b, uint32_t site, uint32_t facet)
   (void)facet;
   return true;
 #else
-  const HullChoice *choice
-      = hull_choices_find (b->choices, EVENT_CLAIM, b->round, site);
+  const HullChoice *choice;
 
+  if (b->choices == NULL)
+    return true;
+  choice = hull_choices_find (b->choices, EVENT_CLAIM, b->round, site);
   return choice == NULL || choice->facet == facet;
 #endif
 }

@@ -1,6 +1,7 @@
 #include "hull.h"
 
 #include "hull-builder.h"
+#include "hull-record.h"
 #include "memory.h"
 
 #include <float.h>
@@ -73,7 +74,7 @@ wants_more (HullBuilder *b)
   (void)b;
   return true;
 #else
-  b->is_given_up = b->is_wanted != NULL && !b->is_wanted (b->hook->user);
+  b->is_given_up = b->is_wanted != NULL && !b->is_wanted (b->user);
   return !b->is_given_up;
 #endif
 }
@@ -116,6 +117,28 @@ hull_clear (HullBuilder *b)
   free (b->cone_sets);
 }
 
+static bool
+run (HullBuilder *b)
+{
+#ifdef HULL_HAS_AVX2
+  if (__builtin_cpu_supports ("avx2"))
+    return b->log != NULL ? record_avx2_hull_run (b) : avx2_hull_run (b);
+#endif
+  return b->log != NULL ? record_hull_run (b) : hull_run (b);
+}
+
+/* What is told outside the loop. */
+static void
+tell (const HullBuilder *b, EventKind kind, uint32_t site)
+{
+  const Event event = EVENT (kind, INDEX_NONE, site);
+
+  if (b->log != NULL)
+    trace_log_add (b->log, &event);
+  else
+    hull_tell (b, event);
+}
+
 static void
 tell_duplicates (const HullBuilder *b)
 {
@@ -123,55 +146,38 @@ tell_duplicates (const HullBuilder *b)
 
   for (site = 0; site < b->n_sites; site++)
     if (b->first[site] != site)
-      hull_tell (b, EVENT (EVENT_DUPLICATE, INDEX_NONE, site));
+      tell (b, EVENT_DUPLICATE, site);
 }
 
-static bool
-run (HullBuilder *b)
-{
-#ifdef HULL_HAS_AVX2
-  if (__builtin_cpu_supports ("avx2"))
-    return avx2_hull_run (b);
-#endif
-  return hull_run (b);
-}
-
-/* From the first event to the last.
+/* From the first event to the last, with what is told by whom in @b.
  *
  * Returns: false when it was given up. */
 static bool
-build (const SiteSet *set,
-       const Order *order,
-       const HullChoices *choices,
-       const HullHook *hook,
-       HullWanted is_wanted)
+build (HullBuilder *b, const SiteSet *set, const Order *order)
 {
   OrderList list = order_list (order, set->sites, set->n_sites);
-  HullBuilder b = { .sites = set->sites,
-                    .n_sites = set->n_sites,
-                    .first = set->first,
-                    .hook = hook,
-                    .choices = choices,
-                    .is_wanted = is_wanted,
-                    .n_young_max = UINT32_MAX,
-                    .list = list.sites,
-                    .n_listed = list.n_listed };
 
-  tell_duplicates (&b);
-  if (!run (&b))
-    hull_tell (&b, EVENT (EVENT_FLAT, INDEX_NONE, INDEX_NONE));
-  if (!b.is_given_up)
-    hull_tell (&b, EVENT (EVENT_COMPLETE, INDEX_NONE, INDEX_NONE));
-  hull_clear (&b);
-  free (b.facets);
+  b->sites = set->sites;
+  b->n_sites = set->n_sites;
+  b->first = set->first;
+  b->n_young_max = UINT32_MAX;
+  b->list = list.sites;
+  b->n_listed = list.n_listed;
+  tell_duplicates (b);
+  if (!run (b))
+    tell (b, EVENT_FLAT, INDEX_NONE);
+  if (!b->is_given_up)
+    tell (b, EVENT_COMPLETE, INDEX_NONE);
+  hull_clear (b);
+  free (b->facets);
   free (list.sites);
-  return !b.is_given_up;
+  return !b->is_given_up;
 }
 
 void
 hull_build (const SiteSet *set, const Order *order, const HullHook *hook)
 {
-  build (set, order, NULL, hook, NULL);
+  build (&(HullBuilder){ .hook = hook }, set, order);
 }
 
 bool
@@ -180,7 +186,9 @@ hull_build_while (const SiteSet *set,
                   const HullHook *hook,
                   HullWanted is_wanted)
 {
-  return build (set, order, NULL, hook, is_wanted);
+  HullBuilder b = { .hook = hook, .is_wanted = is_wanted, .user = hook->user };
+
+  return build (&b, set, order);
 }
 
 void
@@ -188,7 +196,22 @@ hull_build_chosen (const SiteSet *set,
                    const HullChoices *choices,
                    const HullHook *hook)
 {
-  build (set, &(Order){ ORDER_FURTHEST, 0 }, choices, hook, NULL);
+  build (&(HullBuilder){ .hook = hook, .choices = choices }, set,
+         &(Order){ ORDER_FURTHEST, 0 });
+}
+
+bool
+hull_record (const SiteSet *set,
+             const Order *order,
+             const HullWishes *wishes,
+             TraceLog *log)
+{
+  HullBuilder b = { .log = log,
+                    .choices = wishes->choices,
+                    .is_wanted = wishes->is_wanted,
+                    .user = wishes->user };
+
+  return build (&b, set, order);
 }
 
 #endif

@@ -25,7 +25,7 @@ insertion_cost (const Trace *trace, uint32_t step)
   uint32_t i;
 
   for (i = 0; i < step; i++) {
-    const EventKind kind = trace->events[i].kind;
+    const EventKind kind = trace_event (trace, i).kind;
 
     cost.facets_created += kind == EVENT_SIMPLEX || kind == EVENT_CONE;
     cost.facets_seen += kind == EVENT_VISIBLE;

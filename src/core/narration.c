@@ -114,23 +114,12 @@ retire_template (Facing facing)
   return "";
 }
 
-static uint32_t
-size_of_outside_set (const Trace *trace, uint32_t facet, uint32_t step)
-{
-  uint32_t i, n = 0;
-
-  for (i = 0; i < trace->n_claims; i++)
-    n += trace->claims[i].facet == facet
-         && span_has (trace->claims[i].span, step);
-  return n;
-}
-
 static const char *
 select_template (const Trace *trace, const Event *event, uint32_t step)
 {
   if (trace->order.kind != ORDER_FURTHEST)
     return N_ ("{p} comes next; it waits in the outside set of {f}.");
-  if (size_of_outside_set (trace, event->facet, step - 1) == 1)
+  if (trace_n_waiting (trace, event->facet, step - 1) == 1)
     return N_ ("{p} is the only site in the outside set of {f}: it comes "
                "next.");
   return N_ ("{p} comes next: of the sites in the outside set of {f} it is "
@@ -221,10 +210,10 @@ narration_write (const Trace *trace,
   if (step == 0) {
     template = start_template (trace->set);
   } else {
-    const Event *event = &trace->events[step - 1];
+    const Event event = trace_event (trace, step - 1);
 
-    template = event_template (trace, event, step);
-    parts = parts_of (trace, event, step);
+    template = event_template (trace, &event, step);
+    parts = parts_of (trace, &event, step);
   }
   narration_fill (translate != NULL ? translate (template) : template, &parts,
                   text);

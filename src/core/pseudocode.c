@@ -45,7 +45,7 @@ pseudocode_line (const Trace *trace, uint32_t step)
 {
   if (step == 0)
     return INDEX_NONE;
-  switch (trace->events[step - 1].kind) {
+  switch (trace_event (trace, step - 1).kind) {
   case EVENT_DUPLICATE:
   case EVENT_FLAT:
   case EVENT_SIMPLEX:

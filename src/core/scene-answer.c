@@ -112,14 +112,14 @@ static void
 add_ridge (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
 {
   const Trace *trace = builder->frame->trace;
-  const uint32_t ridge = answer->object.number;
+  RidgeRow row;
 
-  if (ridge >= trace->n_ridges)
+  if (answer->object.number >= trace->n_ridges)
     return;
-  scene_add_edge (builder, role_of (answer->kind), answer->object,
-                  trace->ridges[ridge].site, lifted);
-  add_sign (builder, answer,
-            middle_of (builder, trace->ridges[ridge].site, 2, lifted));
+  row = trace_ridge (trace, answer->object.number);
+  scene_add_edge (builder, role_of (answer->kind), answer->object, row.site,
+                  lifted);
+  add_sign (builder, answer, middle_of (builder, row.site, 2, lifted));
 }
 
 static void

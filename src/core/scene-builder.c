@@ -36,14 +36,14 @@ find_ridges (const Frame *frame)
   if (trace->is_flat || delaunay->n_edges == 0)
     return ridge_of;
   for (i = 0; i < frame->n_ridges; i++) {
-    const RidgeRow *row = &trace->ridges[frame->ridges[i].ridge];
+    const FrameRidge *row = &frame->ridges[i];
     const uint32_t *site;
 
     if (!is_lower (trace, row->facet[0]) && !is_lower (trace, row->facet[1]))
       continue;
     site = delaunay->edges[edge].site;
     assert (row->site[0] + row->site[1] == site[0] + site[1]);
-    ridge_of[edge++] = frame->ridges[i].ridge;
+    ridge_of[edge++] = row->ridge;
   }
   assert (edge == delaunay->n_edges);
   return ridge_of;
@@ -99,8 +99,10 @@ take_frame (SceneBuilder *builder, const Frame *frame, const SceneLook *look)
   builder->look = look->mask != 0 ? &builder->masked : look;
   if (look->mask != 0)
     apply_mask (builder);
-  if (frame->step > 0 && !is_masked)
-    builder->event = &frame->trace->events[frame->step - 1];
+  if (frame->step > 0 && !is_masked) {
+    builder->said = trace_event (frame->trace, frame->step - 1);
+    builder->event = &builder->said;
+  }
   builder->is_round = is_round_in_hand (frame);
   if (builder->is_round && !is_masked)
     scene_builder_round (builder, frame->place.phase);

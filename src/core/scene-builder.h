@@ -13,6 +13,7 @@ typedef struct SceneBuilder {
   FrameMask mask;   /* its frame is the frame, when the look masks the round */
   SceneLook masked; /* is the look, when it masks anything */
   const Event *event; /* that led to the step, or NULL at the start */
+  Event said;         /* what it points to */
   bool is_round;      /* a round is in hand */
   uint32_t parts;     /* of the active set that are loud, Part bits */
   uint32_t *ridge_of; /* per Delaunay edge: its row of Trace.ridges; flat

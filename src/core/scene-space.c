@@ -180,9 +180,8 @@ position_of (const Frame *frame, uint32_t facet)
 static Role
 ridge_role (const SceneBuilder *builder, const FrameRidge *ridge)
 {
-  const RidgeRow *row = &builder->frame->trace->ridges[ridge->ridge];
-  const uint32_t left = scene_roles (builder, row->facet[0]);
-  const uint32_t right = scene_roles (builder, row->facet[1]);
+  const uint32_t left = scene_roles (builder, ridge->facet[0]);
+  const uint32_t right = scene_roles (builder, ridge->facet[1]);
 
   if (left & right & FACET_RETIRED)
     return ROLE_RETIRED;
@@ -191,8 +190,8 @@ ridge_role (const SceneBuilder *builder, const FrameRidge *ridge)
     return ROLE_VISIBLE_EDGE;
   if (ridge->is_coplanar)
     return ROLE_FREE_EDGE;
-  if (scene_is_new_apex (builder, row->site[0])
-      || scene_is_new_apex (builder, row->site[1]))
+  if (scene_is_new_apex (builder, ridge->site[0])
+      || scene_is_new_apex (builder, ridge->site[1]))
     return ROLE_CONE_EDGE;
   return ROLE_RIDGE;
 }
@@ -208,7 +207,7 @@ ridge_corners (const SceneBuilder *builder, uint32_t position)
 {
   const Frame *frame = builder->frame;
 
-  return frame->trace->ridges[frame->ridges[position].ridge].site;
+  return frame->ridges[position].site;
 }
 
 static void
@@ -219,13 +218,11 @@ add_ridges (SceneBuilder *builder, const uint32_t *item_of)
   uint32_t i;
 
   for (i = 0; i < frame->n_ridges; i++) {
-    const FrameRidge *place = &frame->ridges[order[i]];
-    const uint32_t ridge = place->ridge;
-    const RidgeRow *row = &frame->trace->ridges[ridge];
+    const FrameRidge *row = &frame->ridges[order[i]];
     SceneItem *item;
 
-    scene_add_edge (builder, ridge_role (builder, place),
-                    (Object){ OBJECT_RIDGE, ridge }, row->site, true);
+    scene_add_edge (builder, ridge_role (builder, row),
+                    (Object){ OBJECT_RIDGE, row->ridge }, row->site, true);
     item = &builder->scene->items[builder->scene->n_items - 1];
     item->beside[0] = item_of[position_of (frame, row->facet[0])];
     item->beside[1] = item_of[position_of (frame, row->facet[1])];

@@ -62,7 +62,7 @@ timeline_place (const Trace *trace, uint32_t step)
 
   if (step > 0)
     place.phase
-        = phase_of_event (trace->events[step - 1].kind, place.round == 0);
+        = phase_of_event (trace_event (trace, step - 1).kind, place.round == 0);
   return place;
 }
 

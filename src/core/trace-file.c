@@ -64,15 +64,13 @@ write_sites (const SiteSet *set, FILE *file)
 }
 
 static void
-write_event (const Event *event, FILE *file)
+write_event (Event event, FILE *file)
 {
-  Event copy = *event;
-
-  fputs (event_kind_name (event->kind), file);
-  for (const char *field = trace_format_fields (event->kind); *field != '\0';
+  fputs (event_kind_name (event.kind), file);
+  for (const char *field = trace_format_fields (event.kind); *field != '\0';
        field += 1)
     fprintf (file, " %c%u", trace_format_letter (*field),
-             *trace_format_field (&copy, *field));
+             *trace_format_field (&event, *field));
   fputs ("\n", file);
 }
 
@@ -140,7 +138,7 @@ trace_file_write (const Trace *trace, Grain grain, FILE *file)
   case GRAIN_EVENT:
     write_head (trace, "", file);
     for (uint32_t i = 0; i < trace->n_events; i += 1)
-      write_event (&trace->events[i], file);
+      write_event (trace_event (trace, i), file);
     break;
   case GRAIN_PHASE:
     write_head (trace, "detail phase\n", file);

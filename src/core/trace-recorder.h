@@ -12,7 +12,8 @@ TraceRecorder *trace_recorder_new (const SiteSet *set, const Order *order);
 void trace_recorder_hook (const Event *event, void *recorder);
 
 /* Believes nothing: an event that is not legal at its place is refused, so
- * that a trace file can be read through the recorder too.
+ * that a trace file can be read through the recorder too. Either this or the
+ * hook is called for all events of a trace.
  *
  * Returns: NULL, or why the event cannot come here. */
 const char *trace_recorder_add (TraceRecorder *recorder, const Event *event);

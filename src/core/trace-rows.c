@@ -2,180 +2,137 @@
 
 #include "memory.h"
 
-#include <assert.h>
 #include <stdlib.h>
 
-/* Beyond, rows grow as they come. */
-#define ROOM_MAX 50000
-
-/* Room for what QuickHull says of so many uniform sites, so that nothing is
- * moved while it grows: a little more than 5.6 facets a site, two ridges a
- * facet, and 15 to 18 claims. */
-static void
-make_room (TraceRows *rows, uint32_t n_sites)
+/* Room that is not cleared: all of it will be written. */
+static void *
+room_for (uint32_t n, size_t size)
 {
-  const uint32_t n = n_sites < ROOM_MAX ? n_sites : ROOM_MAX;
-  Trace *trace = rows->trace;
+  uint32_t room = 0;
 
-  trace->facets = memory_grow (NULL, &rows->facets_room, 6 * n + 16,
-                               sizeof *trace->facets);
-  rows->links
-      = memory_grow (NULL, &rows->links_room, 6 * n + 16, sizeof *rows->links);
-  trace->ridges = memory_grow (NULL, &rows->ridges_room, 12 * n + 32,
-                               sizeof *trace->ridges);
-  trace->claims = memory_grow (NULL, &rows->claims_room, 20 * n + 16,
-                               sizeof *trace->claims);
-  trace->events = memory_grow (NULL, &rows->events_room, 38 * n + 64,
-                               sizeof *trace->events);
+  return memory_grow (NULL, &room, n > 0 ? n : 1, size);
 }
 
-void
-trace_rows_init (TraceRows *rows, const SiteSet *set, const Order *order)
+static void
+add_facet (Trace *trace, const uint32_t site[3], uint32_t step)
+{
+  const Site *sites = trace->set->sites;
+
+  trace->facets[trace->n_facets++] = (FacetRow){
+    { site[0], site[1], site[2] },
+    trace->n_rounds,
+    STEP_NEVER,
+    facing (&sites[site[0]], &sites[site[1]], &sites[site[2]]),
+    { step, STEP_NEVER },
+  };
+}
+
+static void
+add_flat (Trace *trace)
 {
   uint32_t site;
 
-  rows->trace = memory_new (1, sizeof *rows->trace);
-  rows->trace->set = set;
-  rows->trace->order = *order;
-  rows->trace->inserted = memory_new (set->n_sites, sizeof (uint32_t));
-  rows->claim_of = memory_new (set->n_sites, sizeof (uint32_t));
-  rows->n_free = set->n_distinct;
-  make_room (rows, set->n_sites);
-  for (site = 0; site < set->n_sites; site++) {
-    rows->trace->inserted[site] = STEP_NEVER;
-    rows->claim_of[site] = INDEX_NONE;
-  }
+  trace->n_events += 1;
+  for (site = 0; site < trace->set->n_sites; site++)
+    if (trace->set->first[site] == site)
+      trace->inserted[site] = trace->n_events;
+  trace->is_flat = true;
+  trace->simplex_end = trace->n_events;
+  trace->start_end = trace->n_events;
 }
 
-void
-trace_rows_clear (TraceRows *rows)
+static void
+add_simplex (Trace *trace)
 {
-  free (rows->links);
-  free (rows->claim_of);
-}
-
-void
-trace_rows_add_facet (TraceRows *rows, const Event *event)
-{
-  Trace *trace = rows->trace;
-  const Site *sites = trace->set->sites;
-  const uint32_t facet = trace->n_facets++;
-  FacetRow *row;
-
-  if (facet >= rows->facets_room)
-    trace->facets = memory_grow (trace->facets, &rows->facets_room, facet + 1,
-                                 sizeof *trace->facets);
-  if (facet >= rows->links_room)
-    rows->links = memory_grow (rows->links, &rows->links_room, facet + 1,
-                               sizeof *rows->links);
-  row = &trace->facets[facet];
-  row->site[0] = event->ridge[0];
-  row->site[1] = event->ridge[1];
-  row->site[2] = event->site;
-  row->round = trace->n_rounds;
-  row->seen = STEP_NEVER;
-  row->facing = facing (&sites[row->site[0]], &sites[row->site[1]],
-                        &sites[row->site[2]]);
-  row->span = (Span){ trace_rows_step (rows), STEP_NEVER };
-  rows->links[facet].n_waiting = 0;
-}
-
-uint32_t
-trace_rows_edge (const TraceRows *rows,
-                 uint32_t facet,
-                 uint32_t tail,
-                 uint32_t head)
-{
-  const uint32_t *site = rows->trace->facets[facet].site;
-  uint32_t k = 0;
-
-  while (k < 3 && (site[k] != tail || site[(k + 1) % 3] != head))
-    k++;
-  return k;
-}
-
-void
-trace_rows_add_ridge (TraceRows *rows,
-                      uint32_t left,
-                      uint32_t k,
-                      uint32_t right,
-                      uint32_t right_k)
-{
-  Trace *trace = rows->trace;
-  const uint32_t ridge = trace->n_ridges++;
-  const uint32_t tail = trace->facets[left].site[k];
-  const uint32_t head = trace->facets[left].site[(k + 1) % 3];
-
-  assert (trace->facets[right].site[right_k] == head);
-  if (ridge >= rows->ridges_room)
-    trace->ridges = memory_grow (trace->ridges, &rows->ridges_room, ridge + 1,
-                                 sizeof *trace->ridges);
-  trace->ridges[ridge] = (RidgeRow){ { tail, head },
-                                     { left, right },
-                                     { trace_rows_step (rows), STEP_NEVER } };
-  rows->links[left].ridge[k] = ridge;
-  rows->links[right].ridge[right_k] = ridge;
-}
-
-void
-trace_rows_add_claim (TraceRows *rows, uint32_t site, uint32_t facet)
-{
-  Trace *trace = rows->trace;
-  const uint32_t claim = trace->n_claims++;
-
-  if (claim >= rows->claims_room)
-    trace->claims = memory_grow (trace->claims, &rows->claims_room, claim + 1,
-                                 sizeof *trace->claims);
-  trace->claims[claim]
-      = (ClaimRow){ site, facet, { trace_rows_step (rows), STEP_NEVER } };
-  rows->links[facet].n_waiting += 1;
-  rows->claim_of[site] = claim;
-  rows->n_free -= 1;
-}
-
-bool
-trace_rows_is_claimed (const TraceRows *rows, uint32_t site)
-{
-  const Trace *trace = rows->trace;
-  const uint32_t claim = rows->claim_of[site];
-
-  return claim != INDEX_NONE && trace->inserted[site] == STEP_NEVER
-         && trace->facets[trace->claims[claim].facet].span.death == STEP_NEVER;
-}
-
-void
-trace_rows_end_claim (TraceRows *rows, uint32_t facet)
-{
-  rows->links[facet].n_waiting -= 1;
-}
-
-void
-trace_rows_end_facet (TraceRows *rows, uint32_t facet)
-{
-  const FacetLinks *links = &rows->links[facet];
-  const uint32_t step = trace_rows_step (rows);
-  uint32_t k;
-
-  rows->trace->facets[facet].span.death = step;
-  for (k = 0; k < 3; k++) {
-    Span *span = &rows->trace->ridges[links->ridge[k]].span;
-
-    if (span->death == STEP_NEVER)
-      span->death = step;
-  }
-  rows->n_free += links->n_waiting;
-}
-
-void
-trace_rows_end_claims (TraceRows *rows)
-{
-  const Trace *trace = rows->trace;
+  const TraceLog *log = &trace->log;
   uint32_t i;
 
-  for (i = 0; i < trace->n_claims; i++)
-    trace->claims[i].span.death
-        = trace->facets[trace->claims[i].facet].span.death;
-  for (i = 0; i < trace->n_rounds; i++)
-    trace->claims[rows->claim_of[trace->rounds[i].site]].span.death
-        = trace->rounds[i].select;
+  for (i = 0; i < 4; i++)
+    add_facet (trace, log->simplex[i], ++trace->n_events);
+  for (i = 0; i < 12; i++)
+    trace->inserted[log->simplex[i / 3][i % 3]] = trace->n_events;
+  trace->simplex_end = trace->n_events;
+  trace->n_events += log->n_rounds > 0 ? log->rounds[0].claim : log->n_claims;
+  trace->start_end = trace->n_events;
+}
+
+/* The facets on the horizon's ridges. */
+static void
+add_cone (Trace *trace, const LogRidge *ridge, uint32_t n, uint32_t apex)
+{
+  uint32_t i;
+
+  for (i = 0; i < n; i++)
+    add_facet (
+        trace,
+        (uint32_t[3]){ ridge[i].tail, ridge[i + 1 < n ? i + 1 : 0].tail, apex },
+        ++trace->n_events);
+}
+
+static void
+add_round (Trace *trace, uint32_t i)
+{
+  const TraceLog *log = &trace->log;
+  const LogRound said = log->rounds[i], next = trace_log_round_end (log, i);
+  RoundRow *row = &trace->rounds[trace->n_rounds++];
+  uint32_t step = trace->n_events + 1, k;
+
+  row->facet = said.facet;
+  row->site = said.site;
+  row->select = step;
+  row->first_visible = step + 1;
+  for (k = said.visible; k < next.visible; k++)
+    trace->facets[log->visible[k]].seen = ++step;
+  row->last_visible = step;
+  row->first_horizon = step + 1;
+  row->last_horizon = step + next.horizon - said.horizon;
+  row->first_cone = row->last_horizon + 1;
+  trace->n_events = row->last_horizon;
+  add_cone (trace, &log->horizon[said.horizon], next.horizon - said.horizon,
+            said.site);
+  row->last_cone = step = trace->n_events;
+  row->first_retire = step + 1;
+  for (k = said.retired; k < next.retired; k++)
+    trace->facets[log->retired[k]].span.death = ++step;
+  row->last_retire = step;
+  trace->inserted[said.site] = step;
+  row->end = step + next.claim - said.claim;
+  trace->n_events = row->end;
+}
+
+static void
+add_hull (Trace *trace)
+{
+  const TraceLog *log = &trace->log;
+  uint32_t i;
+
+  trace->facets = room_for (4 + log->n_horizon, sizeof *trace->facets);
+  trace->rounds = room_for (log->n_rounds, sizeof *trace->rounds);
+  add_simplex (trace);
+  for (i = 0; i < log->n_rounds; i++)
+    add_round (trace, i);
+  trace->n_ridges = 6 + 2 * log->n_horizon;
+  trace->n_claims = log->n_claims;
+}
+
+Trace *
+trace_rows_new (const SiteSet *set, const Order *order, const TraceLog *log)
+{
+  Trace *trace = memory_new (1, sizeof *trace);
+  uint32_t site;
+
+  trace->set = set;
+  trace->order = *order;
+  trace->log = *log;
+  trace_log_fit (&trace->log);
+  trace->inserted = room_for (set->n_sites, sizeof *trace->inserted);
+  for (site = 0; site < set->n_sites; site++)
+    trace->inserted[site] = STEP_NEVER;
+  trace->n_events = log->n_duplicates;
+  if (log->is_flat)
+    add_flat (trace);
+  else
+    add_hull (trace);
+  trace->n_events += 1;
+  return trace;
 }

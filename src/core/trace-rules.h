@@ -1,11 +1,18 @@
 /* What may come when: the grammar of event streams. Private to
- * trace-recorder.c. */
+ * trace-recorder. */
 #ifndef TRACE_RULES_H
 #define TRACE_RULES_H
 
-#include "trace-rows.h"
+#include "event.h"
 
-/* Returns: NULL, or why the event cannot follow those recorded so far. */
-const char *trace_rules_check (const TraceRows *rows, const Event *event);
+typedef struct TraceRules TraceRules;
+
+TraceRules *trace_rules_new (const SiteSet *set);
+void trace_rules_free (TraceRules *rules);
+
+/* Takes the next event, if it may come here.
+ *
+ * Returns: NULL, or why the event cannot follow those taken so far. */
+const char *trace_rules_take (TraceRules *rules, const Event *event);
 
 #endif

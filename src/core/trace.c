@@ -1,28 +1,42 @@
 #include "trace.h"
 
-#include "trace-recorder.h"
+#include "hull-record.h"
+#include "trace-rows.h"
 
 #include <stdlib.h>
+
+static Trace *
+record (const SiteSet *set, const Order *order, const HullWishes *wishes)
+{
+  TraceLog log;
+
+  trace_log_init (&log, set->n_sites);
+  if (hull_record (set, order, wishes, &log))
+    return trace_rows_new (set, order, &log);
+  trace_log_clear (&log);
+  return NULL;
+}
 
 Trace *
 trace_record (const SiteSet *set, const Order *order)
 {
-  TraceRecorder *recorder = trace_recorder_new (set, order);
-  const HullHook hook = { trace_recorder_hook, recorder };
+  return record (set, order, &(HullWishes){ NULL, NULL, NULL });
+}
 
-  hull_build (set, order, &hook);
-  return trace_recorder_finish (recorder);
+Trace *
+trace_record_while (const SiteSet *set,
+                    const Order *order,
+                    HullWanted is_wanted,
+                    void *user)
+{
+  return record (set, order, &(HullWishes){ NULL, is_wanted, user });
 }
 
 Trace *
 trace_record_chosen (const SiteSet *set, const HullChoices *choices)
 {
-  const Order order = { ORDER_FURTHEST, 0 };
-  TraceRecorder *recorder = trace_recorder_new (set, &order);
-  const HullHook hook = { trace_recorder_hook, recorder };
-
-  hull_build_chosen (set, choices, &hook);
-  return trace_recorder_finish (recorder);
+  return record (set, &(Order){ ORDER_FURTHEST, 0 },
+                 &(HullWishes){ choices, NULL, NULL });
 }
 
 void
@@ -30,10 +44,8 @@ trace_free (Trace *trace)
 {
   if (trace == NULL)
     return;
-  free (trace->events);
+  trace_log_clear (&trace->log);
   free (trace->facets);
-  free (trace->ridges);
-  free (trace->claims);
   free (trace->rounds);
   free (trace->inserted);
   free (trace);

@@ -5,12 +5,17 @@
  * stands; a row is shown at step s iff birth <= s < death. What a thing is at
  * a step (standing, visible, new) is computed from spans, never stored, so
  * going back is choosing a smaller step.
+ *
+ * Kept are the log (trace-log.h) and the rows of facets and rounds. Events,
+ * ridges and claims are many, and all that is to be said of one follows from
+ * these: they are told when somebody asks.
  */
 #ifndef TRACE_H
 #define TRACE_H
 
 #include "hull.h"
 #include "predicate.h"
+#include "trace-log.h"
 
 #define STEP_NEVER UINT32_MAX
 
@@ -30,7 +35,8 @@ typedef struct FacetRow {
 /* A pair of neighbouring facets. When a cone facet takes the place of a
  * visible one, the row of the old pair dies and one of the new pair is born
  * with the same sites. A ridge between two lower facets is a Delaunay edge
- * and, dually, a Voronoi edge. */
+ * and, dually, a Voronoi edge. Numbered in the order of their births; those
+ * that are born with one facet follow each other. */
 typedef struct RidgeRow {
   uint32_t site[2];  /* tail and head; facet[0] on the left from outside */
   uint32_t facet[2]; /* left, right */
@@ -57,13 +63,11 @@ typedef struct RoundRow {
 typedef struct Trace {
   const SiteSet *set; /* borrowed: must outlive the trace */
   Order order;
-  Event *events;
+  TraceLog log;
   uint32_t n_events; /* = the last step */
   FacetRow *facets;
   uint32_t n_facets;
-  RidgeRow *ridges;
   uint32_t n_ridges;
-  ClaimRow *claims;
   uint32_t n_claims;
   RoundRow *rounds; /* rounds[0] is round 1 */
   uint32_t n_rounds;
@@ -74,14 +78,50 @@ typedef struct Trace {
   uint32_t start_end;   /* step after the last event before round 1 */
 } Trace;
 
-/* Runs hull_build() and keeps what it says.
+/* Runs QuickHull and keeps what it says: as a hook of hull_build() that feeds
+ * a TraceRecorder, but compiled into the engine.
  *
  * Owns: the caller frees with trace_free(). */
 Trace *trace_record (const SiteSet *set, const Order *order);
 
+/* The same of hull_build_while().
+ *
+ * Returns: NULL when it was given up. */
+Trace *trace_record_while (const SiteSet *set,
+                           const Order *order,
+                           HullWanted is_wanted,
+                           void *user);
+
 /* The same of hull_build_chosen(). */
 Trace *trace_record_chosen (const SiteSet *set, const HullChoices *choices);
 void trace_free (Trace *trace);
+
+/* Returns: the event that leads to step @i + 1.
+ *
+ * Cost: the logarithm of the rounds, as of a ridge and a claim. */
+Event trace_event (const Trace *trace, uint32_t i);
+RidgeRow trace_ridge (const Trace *trace, uint32_t ridge);
+ClaimRow trace_claim (const Trace *trace, uint32_t claim);
+
+/* The ridges that were born with one facet. */
+typedef struct FacetRidges {
+  uint32_t first; /* number of the first */
+  uint32_t n;     /* 3 at most */
+  RidgeRow row[3];
+} FacetRidges;
+
+FacetRidges trace_facet_ridges (const Trace *trace, uint32_t facet);
+
+/* A site waits at a facet from the round of the facet's birth on: all claims
+ * of the facet are among those of that round. */
+typedef struct ClaimRange {
+  uint32_t first, end;
+} ClaimRange;
+
+ClaimRange trace_claims_with (const Trace *trace, uint32_t facet);
+
+/* Returns: how many sites are in the outside set of @facet at @step. */
+uint32_t trace_n_waiting (const Trace *trace, uint32_t facet, uint32_t step);
 
 /* Returns: whether the row with @span is shown at @step. */
 static inline bool

@@ -34,8 +34,9 @@ facet_names (const Trace *trace, const RoundRow *round)
   const guint n = round->last_visible - round->first_visible + 1;
 
   for (guint i = 0; i < MIN (n, MOST_NAMES); i++)
-    g_string_append_printf (names, "%sf%u", i == 0 ? "" : ", ",
-                            trace->events[round->first_visible - 1 + i].facet);
+    g_string_append_printf (
+        names, "%sf%u", i == 0 ? "" : ", ",
+        trace_event (trace, round->first_visible - 1 + i).facet);
   if (n > MOST_NAMES)
     g_string_append (names, ", …");
   return g_string_free (names, FALSE);

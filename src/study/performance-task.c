@@ -40,8 +40,11 @@ task_sites (const Trace *trace, guint round)
       = round == 0 ? trace->start_end : trace->rounds[round - 1].end;
   GArray *sites = g_array_new (FALSE, FALSE, sizeof (guint));
 
-  for (guint i = first; i < end; i++)
-    g_array_append_val (sites, trace->events[i].site);
+  for (guint i = first; i < end; i++) {
+    const guint site = trace_event (trace, i).site;
+
+    g_array_append_val (sites, site);
+  }
   g_array_sort (sites, compare_sites);
   return sites;
 }
@@ -108,10 +111,10 @@ outside_set_text (const Trace *trace, guint facet, guint step)
   GString *text = g_string_new (NULL);
 
   for (guint i = 0; i < trace->n_claims; i++)
-    if (trace->claims[i].facet == facet
-        && span_has (trace->claims[i].span, step))
+    if (trace_claim (trace, i).facet == facet
+        && span_has (trace_claim (trace, i).span, step))
       g_string_append_printf (text, "%ss%u", text->len == 0 ? "" : ", ",
-                              trace->claims[i].site);
+                              trace_claim (trace, i).site);
   return g_string_free (text, FALSE);
 }
 

@@ -139,8 +139,9 @@ facet_of_claim (const Trace *trace, guint round, guint site)
       = round == 0 ? trace->simplex_end : trace->rounds[round - 1].last_retire;
 
   for (guint i = first; i < trace->n_events; i++)
-    if (trace->events[i].kind == EVENT_CLAIM && trace->events[i].site == site)
-      return trace->events[i].facet;
+    if (trace_event (trace, i).kind == EVENT_CLAIM
+        && trace_event (trace, i).site == site)
+      return trace_event (trace, i).facet;
   return INDEX_NONE;
 }
 

@@ -121,8 +121,8 @@ count_events (const Frame *frame, EventKind kind, Facing facing)
   if (frame->round == INDEX_NONE)
     return 0;
   for (guint i = trace->rounds[frame->round].select - 1; i < frame->step; i++)
-    n += trace->events[i].kind == kind
-         && trace->facets[trace->events[i].facet].facing == facing;
+    n += trace_event (trace, i).kind == kind
+         && trace->facets[trace_event (trace, i).facet].facing == facing;
   return n;
 }
 

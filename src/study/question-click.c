@@ -35,7 +35,7 @@ COLLECT (collect_visible)
   const RoundRow *round = round_at (occasion);
 
   for (guint i = round->first_visible - 1; i < round->last_visible; i++)
-    add (objects, OBJECT_FACET, occasion->trace->events[i].facet);
+    add (objects, OBJECT_FACET, trace_event (occasion->trace, i).facet);
 }
 
 COLLECT (collect_dying)
@@ -43,7 +43,7 @@ COLLECT (collect_dying)
   const RoundRow *round = round_at (occasion);
 
   for (guint i = round->first_visible - 1; i < round->last_visible; i++) {
-    const guint facet = occasion->trace->events[i].facet;
+    const guint facet = trace_event (occasion->trace, i).facet;
 
     if (occasion->trace->facets[facet].facing == FACING_LOWER)
       add (objects, OBJECT_FACET, facet);
@@ -65,14 +65,14 @@ COLLECT (collect_circles)
 
 /* The row of the ridge between two sites, with @facet on one side. */
 static guint
-find_ridge (const Frame *frame, const Event *event)
+find_ridge (const Frame *frame, Event event)
 {
   for (guint i = 0; i < frame->n_ridges; i++) {
-    const RidgeRow *row = &frame->trace->ridges[frame->ridges[i].ridge];
+    const FrameRidge *row = &frame->ridges[i];
 
-    if ((row->site[0] == event->ridge[0] && row->site[1] == event->ridge[1])
-        || (row->site[0] == event->ridge[1] && row->site[1] == event->ridge[0]))
-      return frame->ridges[i].ridge;
+    if ((row->site[0] == event.ridge[0] && row->site[1] == event.ridge[1])
+        || (row->site[0] == event.ridge[1] && row->site[1] == event.ridge[0]))
+      return row->ridge;
   }
   return INDEX_NONE;
 }
@@ -83,7 +83,7 @@ COLLECT (collect_horizon)
 
   for (guint i = round->first_horizon - 1; i < round->last_horizon; i++)
     add (objects, OBJECT_RIDGE,
-         find_ridge (frame, &occasion->trace->events[i]));
+         find_ridge (frame, trace_event (occasion->trace, i)));
 }
 
 COLLECT (collect_new_triangles)
@@ -91,9 +91,9 @@ COLLECT (collect_new_triangles)
   const RoundRow *round = round_at (occasion);
 
   for (guint i = round->first_cone - 1; i < round->last_cone; i++) {
-    const Event *event = &occasion->trace->events[i];
+    const Event event = trace_event (occasion->trace, i);
 
-    if (occasion->trace->facets[event->facet].facing == FACING_LOWER)
+    if (occasion->trace->facets[event.facet].facing == FACING_LOWER)
       add (objects, OBJECT_RIDGE, find_ridge (frame, event));
   }
 }
@@ -104,7 +104,7 @@ collect_cone (const Occasion *occasion, Facing facing, GArray *objects)
   const RoundRow *round = round_at (occasion);
 
   for (guint i = round->first_cone - 1; i < round->last_cone; i++) {
-    const guint facet = occasion->trace->events[i].facet;
+    const guint facet = trace_event (occasion->trace, i).facet;
 
     if (occasion->trace->facets[facet].facing == facing)
       add (objects, OBJECT_FACET, facet);
@@ -121,10 +121,10 @@ static void
 collect_outside (const Occasion *occasion, guint facet, GArray *objects)
 {
   for (guint i = 0; i < occasion->trace->n_claims; i++) {
-    const ClaimRow *claim = &occasion->trace->claims[i];
+    const ClaimRow claim = trace_claim (occasion->trace, i);
 
-    if (claim->facet == facet && span_has (claim->span, occasion->step))
-      add (objects, OBJECT_SITE, claim->site);
+    if (claim.facet == facet && span_has (claim.span, occasion->step))
+      add (objects, OBJECT_SITE, claim.site);
   }
 }
 
@@ -159,8 +159,8 @@ COLLECT (collect_furthest)
 COLLECT (collect_with_outside_set)
 {
   for (guint i = 0; i < occasion->trace->n_claims; i++)
-    if (span_has (occasion->trace->claims[i].span, occasion->step))
-      add (objects, OBJECT_FACET, occasion->trace->claims[i].facet);
+    if (span_has (trace_claim (occasion->trace, i).span, occasion->step))
+      add (objects, OBJECT_FACET, trace_claim (occasion->trace, i).facet);
 }
 
 /* Who sees what */
@@ -192,7 +192,7 @@ is_orphan (const Occasion *occasion, guint site)
   const RoundRow *round = round_at (occasion);
 
   for (guint i = round->last_retire; i < round->end; i++)
-    if (occasion->trace->events[i].site == site)
+    if (trace_event (occasion->trace, i).site == site)
       return TRUE;
   return FALSE;
 }
@@ -209,8 +209,9 @@ COLLECT (collect_hand_over)
   if (!is_orphan (occasion, site))
     return;
   for (guint i = round->first_cone - 1; i < round->last_cone; i++)
-    if (question_sees (occasion->trace, site, occasion->trace->events[i].facet))
-      add (objects, OBJECT_FACET, occasion->trace->events[i].facet);
+    if (question_sees (occasion->trace, site,
+                       trace_event (occasion->trace, i).facet))
+      add (objects, OBJECT_FACET, trace_event (occasion->trace, i).facet);
 }
 
 /* The hull and the diagrams */

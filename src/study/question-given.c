@@ -113,10 +113,10 @@ question_object_text (const Question *question,
   case OBJECT_VERTEX:
     return vertex_text (frame, object.number);
   case OBJECT_RIDGE: {
-    const RidgeRow *row = &frame->trace->ridges[object.number];
+    const RidgeRow row = trace_ridge (frame->trace, object.number);
 
-    return g_strdup_printf ("s%u–s%u", MIN (row->site[0], row->site[1]),
-                            MAX (row->site[0], row->site[1]));
+    return g_strdup_printf ("s%u–s%u", MIN (row.site[0], row.site[1]),
+                            MAX (row.site[0], row.site[1]));
   }
   case OBJECT_SITE:
   case OBJECT_NONE:
@@ -181,10 +181,10 @@ tell_outside_set (const Question *question, const Occasion *occasion)
       || !g_str_equal (question->click->name, "furthest-site"))
     return NULL;
   for (guint i = 0; i < trace->n_claims; i++)
-    if (trace->claims[i].facet == round->facet
-        && span_has (trace->claims[i].span, occasion->step))
+    if (trace_claim (trace, i).facet == round->facet
+        && span_has (trace_claim (trace, i).span, occasion->step))
       g_string_append_printf (text, "%ss%u", text->len == 0 ? "" : ", ",
-                              trace->claims[i].site);
+                              trace_claim (trace, i).site);
   return g_strdup_printf (_ ("Outside set of f%u: %s."), round->facet,
                           text->str);
 }

@@ -163,23 +163,23 @@ REASON (reason_circle)
 
 REASON (reason_horizon)
 {
-  const RidgeRow *row = &occasion->trace->ridges[object.number];
+  const RidgeRow row = trace_ridge (occasion->trace, object.number);
   const guint site = occasion_round (occasion)->site;
-  const gboolean left = question_sees (occasion->trace, site, row->facet[0]);
-  const gboolean right = question_sees (occasion->trace, site, row->facet[1]);
+  const gboolean left = question_sees (occasion->trace, site, row.facet[0]);
+  const gboolean right = question_sees (occasion->trace, site, row.facet[1]);
 
   if (left != right)
     return g_strdup_printf (
         _ ("Ridge s%u s%u is on the horizon: s%u sees f%u on one side of it, "
            "but not f%u on the other."),
-        row->site[0], row->site[1], site, row->facet[left ? 0 : 1],
-        row->facet[left ? 1 : 0]);
+        row.site[0], row.site[1], site, row.facet[left ? 0 : 1],
+        row.facet[left ? 1 : 0]);
   return g_strdup_printf (
       left ? _ ("Ridge s%u s%u is not on the horizon: s%u sees the facets on "
                 "both sides of it, f%u and f%u.")
            : _ ("Ridge s%u s%u is not on the horizon: s%u sees neither of the "
                 "facets beside it, f%u and f%u."),
-      row->site[0], row->site[1], site, row->facet[0], row->facet[1]);
+      row.site[0], row.site[1], site, row.facet[0], row.facet[1]);
 }
 
 /* The cone facet over a ridge, or INDEX_NONE. */
@@ -189,26 +189,26 @@ cone_over (const Occasion *occasion, const RidgeRow *row)
   const RoundRow *round = occasion_round (occasion);
 
   for (guint i = round->first_cone - 1; i < round->last_cone; i++) {
-    const Event *event = &occasion->trace->events[i];
+    const Event event = trace_event (occasion->trace, i);
 
-    if ((event->ridge[0] == row->site[0] && event->ridge[1] == row->site[1])
-        || (event->ridge[0] == row->site[1] && event->ridge[1] == row->site[0]))
-      return event->facet;
+    if ((event.ridge[0] == row->site[0] && event.ridge[1] == row->site[1])
+        || (event.ridge[0] == row->site[1] && event.ridge[1] == row->site[0]))
+      return event.facet;
   }
   return INDEX_NONE;
 }
 
 REASON (reason_new_triangle)
 {
-  const RidgeRow *row = &occasion->trace->ridges[object.number];
-  const guint facet = cone_over (occasion, row);
+  const RidgeRow row = trace_ridge (occasion->trace, object.number);
+  const guint facet = cone_over (occasion, &row);
   const char *sentence;
 
   if (facet == INDEX_NONE)
     return g_strdup_printf (
         _ ("Ridge s%u s%u is not on the horizon: no facet will be born over "
            "it."),
-        row->site[0], row->site[1]);
+        row.site[0], row.site[1]);
   switch (occasion->trace->facets[facet].facing) {
   case FACING_LOWER:
     sentence = _ ("Over ridge s%u s%u a lower facet is born: its shadow is a "
@@ -224,7 +224,7 @@ REASON (reason_new_triangle)
                   "only a segment.");
     break;
   }
-  return g_strdup_printf (sentence, row->site[0], row->site[1]);
+  return g_strdup_printf (sentence, row.site[0], row.site[1]);
 }
 
 /* Facets */
@@ -255,9 +255,9 @@ static guint
 claimed_by (const Occasion *occasion, guint site)
 {
   for (guint i = 0; i < occasion->trace->n_claims; i++)
-    if (occasion->trace->claims[i].site == site
-        && span_has (occasion->trace->claims[i].span, occasion->step))
-      return occasion->trace->claims[i].facet;
+    if (trace_claim (occasion->trace, i).site == site
+        && span_has (trace_claim (occasion->trace, i).span, occasion->step))
+      return trace_claim (occasion->trace, i).facet;
   return INDEX_NONE;
 }
 
@@ -286,11 +286,11 @@ REASON (reason_member)
 REASON (reason_outside_set)
 {
   for (guint i = 0; i < occasion->trace->n_claims; i++)
-    if (occasion->trace->claims[i].facet == object.number
-        && span_has (occasion->trace->claims[i].span, occasion->step))
+    if (trace_claim (occasion->trace, i).facet == object.number
+        && span_has (trace_claim (occasion->trace, i).span, occasion->step))
       return g_strdup_printf (
           _ ("The outside set of f%u is not empty: s%u is in it."),
-          object.number, occasion->trace->claims[i].site);
+          object.number, trace_claim (occasion->trace, i).site);
   return g_strdup_printf (_ ("The outside set of f%u is empty."),
                           object.number);
 }

@@ -307,12 +307,11 @@ static guint
 find_further (const Trace *trace, const RoundRow *round)
 {
   for (guint i = 0; i < trace->n_claims; i++) {
-    const ClaimRow *claim = &trace->claims[i];
+    const ClaimRow claim = trace_claim (trace, i);
 
-    if (claim->facet == round->facet
-        && span_has (claim->span, round->select - 1)
-        && question_further (trace, round->facet, claim->site, round->site) > 0)
-      return claim->site;
+    if (claim.facet == round->facet && span_has (claim.span, round->select - 1)
+        && question_further (trace, round->facet, claim.site, round->site) > 0)
+      return claim.site;
   }
   return INDEX_NONE;
 }

@@ -265,10 +265,10 @@ question_items (const Question *question, const Occasion *occasion)
     return items;
   }
   for (guint i = 0; i < trace->n_claims; i++)
-    if (span_has (trace->claims[i].span, occasion->step)
+    if (span_has (trace_claim (trace, i).span, occasion->step)
         && (question->order == ORDER_OF_SITES
-            || trace->claims[i].facet == question->argument.number))
-      add_item (items, OBJECT_SITE, trace->claims[i].site);
+            || trace_claim (trace, i).facet == question->argument.number))
+      add_item (items, OBJECT_SITE, trace_claim (trace, i).site);
   g_array_sort (items, compare_items);
   return items;
 }

@@ -1,8 +1,6 @@
 #include "run.h"
 
-#include "hull.h"
 #include "timeline.h"
-#include "trace-recorder.h"
 
 /* Takes @set and @trace. */
 static Run *
@@ -40,28 +38,14 @@ run_new_chosen (const Run *like, const HullChoices *choices)
   return run;
 }
 
-/* A recorder that is looked at. */
-typedef struct Watched {
-  TraceRecorder *recorder;
-  RunWatch *watch;
-} Watched;
-
-static void
-on_event (const Event *event, void *user)
-{
-  const Watched *watched = user;
-
-  trace_recorder_hook (event, watched->recorder);
-  if (event->kind == EVENT_SELECT || event->kind == EVENT_DUPLICATE)
-    g_atomic_int_inc (&watched->watch->n_done);
-}
-
+/* Asked before each round, that is for each site but a few. */
 static bool
 is_wanted (void *user)
 {
-  const Watched *watched = user;
+  RunWatch *watch = user;
 
-  return !g_atomic_int_get (&watched->watch->is_cancelled);
+  g_atomic_int_inc (&watch->n_done);
+  return !g_atomic_int_get (&watch->is_cancelled);
 }
 
 Run *
@@ -71,15 +55,11 @@ run_new_watched (const Site *sites,
                  RunWatch *watch)
 {
   SiteSet *set = site_set_new (sites, n_sites);
-  Watched watched = { .watch = watch };
-  const HullHook hook = { on_event, &watched };
   Trace *trace;
 
   if (set == NULL)
     return NULL;
-  watched.recorder = trace_recorder_new (set, order);
-  hull_build_while (set, order, &hook, is_wanted);
-  trace = trace_recorder_finish (watched.recorder);
+  trace = trace_record_while (set, order, is_wanted, watch);
   if (trace != NULL)
     return put_together (set, trace);
   site_set_free (set);

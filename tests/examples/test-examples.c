@@ -43,7 +43,7 @@ test_counts_are_those_of_the_trace (void)
     guint n[N_EVENT_KINDS] = { 0 };
 
     for (uint32_t i = 0; i < fixture->trace->n_events; i++)
-      n[fixture->trace->events[i].kind] += 1;
+      n[trace_event (fixture->trace, i).kind] += 1;
     for (EventKind kind = 0; kind < N_EVENT_KINDS; kind++)
       g_string_append_printf (expected, "%s %u\n", event_kind_name (kind),
                               n[kind]);
@@ -60,7 +60,8 @@ append_round (GString *text, const Trace *trace, uint32_t round)
                           row->site,
                           row->last_visible - row->first_visible + 1);
   for (uint32_t step = row->first_horizon; step <= row->last_horizon; step++)
-    g_string_append_printf (text, " s%u", trace->events[step - 1].ridge[0]);
+    g_string_append_printf (text, " s%u",
+                            trace_event (trace, step - 1).ridge[0]);
   g_string_append_c (text, '\n');
 }
 
