@@ -152,11 +152,17 @@ canvas_accessible_init (CanvasAccessible *accessible)
       = g_hash_table_new_full (NULL, NULL, NULL, g_object_unref);
 }
 
+/* Of more children than these none tells of itself: whoever has asked for so
+ * many asks again when the canvas says that what it shows has changed. */
+#define MANY_CHILDREN 1000
+
 /* Sites keep their numbers and tell where they are now; facets are numbered
  * anew. */
 static void
 renew_children (CanvasAccessible *accessible, guint n_sites)
 {
+  const gboolean is_told
+      = g_hash_table_size (accessible->children) <= MANY_CHILDREN;
   GHashTableIter iter;
   gpointer child;
 
@@ -166,10 +172,11 @@ renew_children (CanvasAccessible *accessible, guint n_sites)
         = canvas_child_get_object (HULL2VD_CANVAS_CHILD (child));
 
     if (object.kind == OBJECT_SITE && object.number < n_sites) {
-      canvas_child_tell_name (HULL2VD_CANVAS_CHILD (child));
+      if (is_told)
+        canvas_child_tell_name (HULL2VD_CANVAS_CHILD (child));
       continue;
     }
-    canvas_child_detach (HULL2VD_CANVAS_CHILD (child));
+    canvas_child_detach (HULL2VD_CANVAS_CHILD (child), is_told);
     g_hash_table_iter_remove (&iter);
   }
 }

@@ -262,7 +262,13 @@ canvas_child_tell_selected (CanvasChild *child)
 void
 canvas_child_tell_name (CanvasChild *child)
 {
-  g_object_notify (G_OBJECT (child), "accessible-name");
+  g_autofree char *name = NULL;
+
+  if (child->canvas == NULL)
+    return;
+  name = canvas_name_object (canvas_get_session (child->canvas), child->object);
+  if (g_strcmp0 (name, child->name) != 0)
+    g_object_notify (G_OBJECT (child), "accessible-name");
 }
 
 /* Life */
@@ -282,10 +288,12 @@ canvas_child_new (Canvas *canvas, Object object)
 }
 
 void
-canvas_child_detach (CanvasChild *child)
+canvas_child_detach (CanvasChild *child, gboolean is_told)
 {
   g_clear_weak_pointer (&child->canvas);
-  atk_object_notify_state_change (ATK_OBJECT (child), ATK_STATE_DEFUNCT, TRUE);
+  if (is_told)
+    atk_object_notify_state_change (ATK_OBJECT (child), ATK_STATE_DEFUNCT,
+                                    TRUE);
 }
 
 static void

@@ -15,13 +15,14 @@ G_DECLARE_FINAL_TYPE (
 
 AtkObject *canvas_child_new (Canvas *canvas, Object object);
 
-/* The object is no more; whoever still holds the child is told so. */
-void canvas_child_detach (CanvasChild *child);
+/* The object is no more; whoever still holds the child can see it, and is told
+ * so when @is_told. */
+void canvas_child_detach (CanvasChild *child, gboolean is_told);
 
 Object canvas_child_get_object (CanvasChild *child);
 
-/* Tell that it is called otherwise now; that it is selected, or no longer, if
- * that is new. */
+/* Tell that it is called otherwise now than when somebody last asked; that it
+ * is selected, or no longer, if that is new. */
 void canvas_child_tell_name (CanvasChild *child);
 void canvas_child_tell_selected (CanvasChild *child);
 

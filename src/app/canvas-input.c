@@ -210,7 +210,7 @@ hover_at (Canvas *canvas, double x, double y)
   const double at_px[2] = { x, y };
   Object object;
 
-  if (get_input (canvas)->mode != DRAG_NONE)
+  if (get_input (canvas)->mode != DRAG_NONE || canvas_is_busy (canvas))
     return;
   object = canvas_pick (canvas, at_px);
   set_pointer (canvas, get_class (canvas)->pointer (canvas, object, at_px));

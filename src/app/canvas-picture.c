@@ -7,19 +7,60 @@
  * something moves. */
 #define SLOW_US 12000
 
+/* What a picture is made with, and for what. */
+struct PictureWork {
+  Easel *easel;
+  Names *names; /* for OpenGL */
+  Drawing *drawing;
+  gboolean is_for_gl;
+  Projection projection;
+  Theme theme;
+  int scale;
+  cairo_region_t *region; /* that the easel has painted */
+};
+
 struct CanvasPicture {
   GtkWidget *widget; /* borrowed */
   gboolean may_use_gl;
-  gboolean is_valid;
-  Easel *easel;
+  gboolean is_valid, is_painted;
+  PictureWork *tools;       /* NULL: lent */
   cairo_surface_t *surface; /* of the easel's picture, where the window is */
   GlView *gl;               /* NULL: the easel paints */
-  Names *names;             /* for OpenGL */
-  Drawing *drawing;
-  Theme theme;
   gboolean is_rough;
   gint64 cost_us; /* of the last picture by OpenGL at full quality */
 };
+
+static PictureWork *
+tools_new (void)
+{
+  PictureWork *tools = g_new0 (PictureWork, 1);
+
+  tools->easel = easel_new ();
+  tools->names = names_new_apart ();
+  tools->drawing = drawing_new (tools->names);
+  return tools;
+}
+
+void
+picture_work_free (PictureWork *work)
+{
+  if (work == NULL)
+    return;
+  easel_free (work->easel);
+  drawing_free (work->drawing);
+  names_free (work->names);
+  g_clear_pointer (&work->region, cairo_region_destroy);
+  g_free (work);
+}
+
+/* Those that are there, or new ones. */
+static PictureWork *
+get_tools (CanvasPicture *picture)
+{
+  if (picture->tools == NULL)
+    picture->tools = tools_new ();
+  return picture->tools;
+}
 
 static const char *
 wanted_renderer (void)
@@ -35,9 +76,6 @@ canvas_picture_new (GtkWidget *widget, gboolean may_use_gl)
   picture->widget = widget;
   picture->may_use_gl
       = may_use_gl && g_strcmp0 (wanted_renderer (), "cairo") != 0;
-  picture->easel = easel_new ();
-  picture->names = names_new ();
-  picture->drawing = drawing_new (picture->names);
   return picture;
 }
 
@@ -47,9 +85,7 @@ canvas_picture_free (CanvasPicture *picture)
   if (picture == NULL)
     return;
   canvas_picture_release (picture);
-  easel_free (picture->easel);
-  drawing_free (picture->drawing);
-  names_free (picture->names);
+  picture_work_free (picture->tools);
   g_free (picture);
 }
 
@@ -74,7 +110,7 @@ canvas_picture_is_rough (const CanvasPicture *picture)
 void
 canvas_picture_release (CanvasPicture *picture)
 {
-  picture->is_valid = FALSE;
+  picture->is_valid = picture->is_painted = FALSE;
   g_clear_pointer (&picture->surface, cairo_surface_destroy);
   g_clear_pointer (&picture->gl, gl_view_free);
 }
@@ -82,9 +118,9 @@ canvas_picture_release (CanvasPicture *picture)
 /* The picture is kept where it is shown from: to send it there each time the
  * pointer moves would cost more than to paint what has changed. */
 static void
-send (CanvasPicture *picture, const cairo_region_t *region, int scale)
+send (CanvasPicture *picture, cairo_surface_t *from, const PictureWork *work)
 {
-  cairo_surface_t *from = easel_get_surface (picture->easel);
+  const int scale = work->scale;
   const int width = cairo_image_surface_get_width (from) / scale;
   const int height = cairo_image_surface_get_height (from) / scale;
   cairo_t *cr;
@@ -95,7 +131,7 @@ send (CanvasPicture *picture, const cairo_region_t *region, int scale)
         height);
   cr = cairo_create (picture->surface);
   cairo_scale (cr, 1.0 / scale, 1.0 / scale);
-  gdk_cairo_region (cr, region);
+  gdk_cairo_region (cr, work->region);
   cairo_clip (cr);
   cairo_scale (cr, scale, scale);
   cairo_set_source_surface (cr, from, 0, 0);
@@ -114,30 +150,22 @@ is_whole (cairo_surface_t *surface, const cairo_region_t *region)
          && cairo_region_num_rectangles (region) == 1;
 }
 
+/* Shows what the easel has painted. */
 static void
-update_easel (CanvasPicture *picture,
-              const Scene *scene,
-              const Projection *projection,
-              const Theme *theme)
+show_easel (CanvasPicture *picture, PictureWork *work)
 {
-  const int scale = gtk_widget_get_scale_factor (picture->widget);
-  cairo_region_t *region
-      = easel_paint (picture->easel, scene, projection, theme, scale);
+  cairo_surface_t *from = easel_get_surface (work->easel);
   cairo_rectangle_int_t all = { 0 };
 
   /* Another size, or another window: nothing of it is there yet. */
-  if (picture->surface == NULL
-      || is_whole (easel_get_surface (picture->easel), region)) {
-    cairo_surface_t *surface = easel_get_surface (picture->easel);
-
+  if (picture->surface == NULL || is_whole (from, work->region)) {
     g_clear_pointer (&picture->surface, cairo_surface_destroy);
-    all.width = cairo_image_surface_get_width (surface);
-    all.height = cairo_image_surface_get_height (surface);
-    cairo_region_union_rectangle (region, &all);
+    all.width = cairo_image_surface_get_width (from);
+    all.height = cairo_image_surface_get_height (from);
+    cairo_region_union_rectangle (work->region, &all);
   }
-  if (!cairo_region_is_empty (region))
-    send (picture, region, scale);
-  cairo_region_destroy (region);
+  if (!cairo_region_is_empty (work->region))
+    send (picture, from, work);
   picture->is_rough = FALSE;
 }
 
@@ -148,27 +176,26 @@ choose (CanvasPicture *picture, GError **error)
 {
   if (!picture->may_use_gl || picture->gl != NULL)
     return TRUE;
-  picture->gl = gl_view_new (picture->widget, error);
-  if (picture->gl == NULL) {
-    picture->may_use_gl = FALSE;
-    return FALSE;
-  }
   if (g_strcmp0 (wanted_renderer (), "gl") != 0
-      && gl_view_is_software (picture->gl)) {
-    g_clear_pointer (&picture->gl, gl_view_free);
+      && gl_view_is_software (picture->widget)) {
     picture->may_use_gl = FALSE;
+    return TRUE;
   }
-  return TRUE;
+  picture->gl = gl_view_new (picture->widget, error);
+  picture->may_use_gl = picture->gl != NULL;
+  return picture->may_use_gl;
 }
 
 static gboolean
-update_gl (CanvasPicture *picture, gboolean is_moving, GError **error)
+show_gl (CanvasPicture *picture,
+         const Drawing *drawing,
+         gboolean is_moving,
+         GError **error)
 {
   const gint64 start = g_get_monotonic_time ();
 
   picture->is_rough = is_moving && picture->cost_us > SLOW_US;
-  if (!gl_view_paint (picture->gl, picture->drawing, picture->is_rough,
-                      error)) {
+  if (!gl_view_paint (picture->gl, drawing, picture->is_rough, error)) {
     g_clear_pointer (&picture->gl, gl_view_free);
     picture->may_use_gl = FALSE;
     return FALSE;
@@ -178,6 +205,82 @@ update_gl (CanvasPicture *picture, gboolean is_moving, GError **error)
   return TRUE;
 }
 
+PictureWork *
+canvas_picture_lend (CanvasPicture *picture,
+                     const Projection *projection,
+                     const Theme *theme,
+                     GError **error)
+{
+  PictureWork *work;
+
+  choose (picture, error);
+  get_tools (picture);
+  work = g_steal_pointer (&picture->tools);
+  work->is_for_gl = picture->gl != NULL;
+  work->projection = *projection;
+  work->theme = *theme;
+  work->scale = gtk_widget_get_scale_factor (picture->widget);
+  return work;
+}
+
+void
+picture_work_do (PictureWork *work, const Scene *scene)
+{
+  if (work->is_for_gl) {
+    drawing_set (work->drawing, scene, &work->projection, &work->theme);
+    return;
+  }
+  work->region = easel_paint (work->easel, scene, &work->projection,
+                              &work->theme, work->scale);
+}
+
+void
+picture_work_prepare (PictureWork *work)
+{
+  if (!work->is_for_gl)
+    easel_prepare_light (work->easel);
+}
+
+gboolean
+canvas_picture_take_back (CanvasPicture *picture,
+                          PictureWork *work,
+                          gboolean is_up_to_date,
+                          gboolean is_moving,
+                          GError **error)
+{
+  gboolean is_shown = TRUE;
+
+  picture_work_free (picture->tools);
+  picture->tools = work;
+  /* Where the window has gone, or OpenGL, nothing can be shown: once more. */
+  is_up_to_date = is_up_to_date && work->is_for_gl == (picture->gl != NULL)
+                  && gtk_widget_get_realized (picture->widget);
+  if (gtk_widget_get_realized (picture->widget)) {
+    if (picture->gl != NULL && work->is_for_gl)
+      is_shown = show_gl (picture, work->drawing, is_moving, error);
+    else if (picture->gl == NULL && !work->is_for_gl)
+      show_easel (picture, work);
+  }
+  g_clear_pointer (&work->region, cairo_region_destroy);
+  picture->is_valid = is_up_to_date && is_shown;
+  picture->is_painted = picture->is_painted || picture->is_valid;
+  return is_shown;
+}
+
+gboolean
+canvas_picture_has_stock (const CanvasPicture *picture,
+                          const Scene *scene,
+                          const Projection *projection,
+                          const Theme *theme)
+{
+  const int scale = gtk_widget_get_scale_factor (picture->widget);
+
+  return picture->gl == NULL && picture->tools != NULL
+         && easel_has_stock (picture->tools->easel, scene, projection, theme,
+                             scale);
+}
+
+/* What OpenGL cannot paint, the easel does. */
 gboolean
 canvas_picture_update (CanvasPicture *picture,
                        const Scene *scene,
@@ -186,29 +289,33 @@ canvas_picture_update (CanvasPicture *picture,
                        gboolean is_moving,
                        GError **error)
 {
-  gboolean is_as_wished = TRUE;
+  PictureWork *work;
+  gboolean is_as_wished;
 
   if (picture->is_valid)
     return TRUE;
-  is_as_wished = choose (picture, error);
-  if (picture->gl != NULL) {
-    picture->theme = *theme;
-    drawing_set (picture->drawing, scene, projection, &picture->theme);
-    is_as_wished = update_gl (picture, is_moving, error);
+  work = canvas_picture_lend (picture, projection, theme, error);
+  is_as_wished = error == NULL || *error == NULL;
+  picture_work_do (work, scene);
+  if (!canvas_picture_take_back (picture, work, TRUE, is_moving, error)) {
+    is_as_wished = FALSE;
+    work = canvas_picture_lend (picture, projection, theme, NULL);
+    picture_work_do (work, scene);
+    canvas_picture_take_back (picture, work, TRUE, is_moving, NULL);
   }
-  if (picture->gl == NULL)
-    update_easel (picture, scene, projection, theme);
-  picture->is_valid = TRUE;
   return is_as_wished;
 }
 
-void
+gboolean
 canvas_picture_draw (CanvasPicture *picture, cairo_t *cr)
 {
-  if (picture->gl != NULL) {
+  if (picture->gl != NULL && picture->is_painted) {
     gl_view_draw (picture->gl, cr);
-    return;
+    return TRUE;
   }
+  if (picture->surface == NULL)
+    return FALSE;
   cairo_set_source_surface (cr, picture->surface, 0, 0);
   cairo_paint (cr);
+  return TRUE;
 }

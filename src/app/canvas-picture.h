@@ -38,7 +38,37 @@ gboolean canvas_picture_update (CanvasPicture *picture,
                                 gboolean is_moving,
                                 GError **error);
 
-void canvas_picture_draw (CanvasPicture *picture, cairo_t *cr);
+/* Whether no more than what is lit is to be painted, which takes no time. */
+gboolean canvas_picture_has_stock (const CanvasPicture *picture,
+                                   const Scene *scene,
+                                   const Projection *projection,
+                                   const Theme *theme);
+
+/* A picture in the making: the part of an update that another thread can do.
+ * It is lent and taken back on the main loop, which shows the picture as it
+ * was until then; lent in vain, it is freed, and the picture begins anew. */
+typedef struct PictureWork PictureWork;
+
+/* Errors: as canvas_picture_update(), without failing. */
+PictureWork *canvas_picture_lend (CanvasPicture *picture,
+                                  const Projection *projection,
+                                  const Theme *theme,
+                                  GError **error);
+void picture_work_do (PictureWork *work, const Scene *scene);
+void picture_work_prepare (PictureWork *work); /* for what will be lit */
+void picture_work_free (PictureWork *work);
+
+/* Takes @work, and shows it. The picture is valid when @is_up_to_date.
+ *
+ * Returns: as canvas_picture_update(). */
+gboolean canvas_picture_take_back (CanvasPicture *picture,
+                                   PictureWork *work,
+                                   gboolean is_up_to_date,
+                                   gboolean is_moving,
+                                   GError **error);
+
+/* Returns: FALSE: there is nothing to be shown yet. */
+gboolean canvas_picture_draw (CanvasPicture *picture, cairo_t *cr);
 
 G_END_DECLS
 

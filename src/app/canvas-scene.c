@@ -65,20 +65,62 @@ note_roles (CanvasScene *kept, gboolean has_new_stock)
     kept->roles[scene->items[i].role] = TRUE;
 }
 
+gboolean
+canvas_scene_has_stock (const CanvasScene *kept)
+{
+  return kept->age != AGE_OLD;
+}
+
+gboolean
+canvas_scene_relight (CanvasScene *kept,
+                      Session *session,
+                      guint pane,
+                      const SceneLook *look)
+{
+  if (kept->age == AGE_VALID)
+    return TRUE;
+  if (kept->age == AGE_OLD
+      || !session_relight_scene (session, pane, &kept->scene, look)) {
+    kept->age = AGE_OLD;
+    return FALSE;
+  }
+  note_roles (kept, FALSE);
+  kept->age = AGE_VALID;
+  return TRUE;
+}
+
 void
 canvas_scene_update (CanvasScene *kept,
                      Session *session,
                      guint pane,
                      const SceneLook *look)
 {
-  const gboolean is_relit
-      = kept->age == AGE_OTHER_LOOK
-        && session_relight_scene (session, pane, &kept->scene, look);
-
-  if (!is_relit)
-    session_fill_scene (session, pane, &kept->scene, look);
-  note_roles (kept, !is_relit);
+  if (canvas_scene_relight (kept, session, pane, look))
+    return;
+  session_fill_scene (session, pane, &kept->scene, look);
+  note_roles (kept, TRUE);
   kept->age = AGE_VALID;
+}
+
+void
+canvas_scene_fill (CanvasScene *kept, const Showing *showing)
+{
+  showing_fill (showing, &kept->scene);
+  note_roles (kept, TRUE);
+  kept->age = AGE_VALID;
+}
+
+void
+canvas_scene_prepare (CanvasScene *kept, const Projection *projection)
+{
+  scene_prepare_light (&kept->scene);
+  scene_picker_prepare (kept->picker, &kept->scene, projection);
+}
+
+void
+canvas_scene_take_roles (CanvasScene *kept, const CanvasScene *from)
+{
+  memcpy (kept->roles, from->roles, sizeof kept->roles);
 }
 
 const Scene *

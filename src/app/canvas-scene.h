@@ -24,6 +24,26 @@ void canvas_scene_update (CanvasScene *kept,
                           guint pane,
                           const SceneLook *look);
 
+/* The same where no more has changed than what a person points at, which takes
+ * no time.
+ *
+ * Returns: FALSE: there is more to do. */
+gboolean canvas_scene_relight (CanvasScene *kept,
+                               Session *session,
+                               guint pane,
+                               const SceneLook *look);
+
+/* Whether its stock is that of the session as it is. */
+gboolean canvas_scene_has_stock (const CanvasScene *kept);
+
+/* Fills it with what was kept, and does what picks and lights will need. This
+ * another thread can do. */
+void canvas_scene_fill (CanvasScene *kept, const Showing *showing);
+void canvas_scene_prepare (CanvasScene *kept, const Projection *projection);
+
+/* Tells of the roles of another one until it is valid. */
+void canvas_scene_take_roles (CanvasScene *kept, const CanvasScene *from);
+
 /* Returns: the scene, borrowed. */
 const Scene *canvas_scene_get (const CanvasScene *kept);
 

@@ -1,32 +1,15 @@
 #include "canvas.h"
 
-#include "answer-objects.h"
 #include "canvas-accessible.h"
 #include "canvas-input.h"
 #include "canvas-keys.h"
-#include "canvas-picture.h"
-#include "canvas-scene.h"
-
-#include <glib/gi18n.h>
-#include <string.h>
-
-#define REACH_PX 12.0
-
-/* A picture that was painted roughly, because something moved, is painted well
- * when nothing has moved for so long. */
-#define SETTLE_MS 120
+#include "canvas-show.h"
 
 typedef struct CanvasPrivate {
   Session *session;
   guint pane;
-  CanvasScene *scene;
+  CanvasShow *show; /* NULL: no session yet */
   Theme theme;
-  CanvasPicture *picture; /* NULL: no session yet */
-  gboolean is_moving;
-  gboolean is_settling; /* the next picture is to be a good one */
-  guint settle_source;
-  char *trouble; /* to be told: why OpenGL does not paint */
-  guint trouble_source;
   Object cursor;
   gboolean shows_focus; /* the keyboard came here by Tab */
   GtkGesture *gestures[N_CANVAS_GESTURES];
@@ -35,7 +18,7 @@ typedef struct CanvasPrivate {
 
 G_DEFINE_TYPE_WITH_PRIVATE (Canvas, canvas, GTK_TYPE_DRAWING_AREA)
 
-enum { SIGNAL_FAILED, N_SIGNALS };
+enum { SIGNAL_FAILED, SIGNAL_RENEWED, N_SIGNALS };
 static guint signals[N_SIGNALS];
 
 static CanvasPrivate *
@@ -80,36 +63,17 @@ canvas_get_theme (Canvas *canvas)
   return &p->theme;
 }
 
-/* The scene of the session as it is, made when first asked for. */
-static const Scene *
-canvas_get_scene (Canvas *canvas)
-{
-  CanvasPrivate *p = priv (canvas);
-  SceneLook look;
-
-  if (!canvas_scene_is_valid (p->scene)) {
-    look = *session_get_look (p->session);
-    HULL2VD_CANVAS_GET_CLASS (canvas)->adapt_look (canvas, &look);
-    canvas_scene_update (p->scene, p->session, p->pane, &look);
-  }
-  return canvas_scene_get (p->scene);
-}
-
-static void
-invalidate_picture (Canvas *canvas)
-{
-  CanvasPrivate *p = priv (canvas);
-
-  if (p->picture != NULL)
-    canvas_picture_invalidate (p->picture);
-  gtk_widget_queue_draw (GTK_WIDGET (canvas));
-}
-
 void
 canvas_invalidate (Canvas *canvas)
 {
-  canvas_scene_invalidate (priv (canvas)->scene, FALSE);
-  invalidate_picture (canvas);
+  if (priv (canvas)->show != NULL)
+    canvas_show_invalidate (priv (canvas)->show, CANVAS_CHANGE_SCENE);
+}
+
+gboolean
+canvas_is_busy (Canvas *canvas)
+{
+  return canvas_show_is_busy (priv (canvas)->show);
 }
 
 Projection
@@ -124,19 +88,13 @@ canvas_get_projection (Canvas *canvas)
 Object
 canvas_pick (Canvas *canvas, const double at_px[2])
 {
-  const Projection projection = canvas_get_projection (canvas);
-  const Scene *scene = canvas_get_scene (canvas);
-
-  if (session_is_answering (priv (canvas)->session))
-    return answer_objects_pick (canvas, scene, at_px, REACH_PX);
-  return canvas_scene_pick (priv (canvas)->scene, &projection, at_px, REACH_PX);
+  return canvas_show_pick (priv (canvas)->show, at_px);
 }
 
 gboolean
 canvas_has_role (Canvas *canvas, Role role)
 {
-  canvas_get_scene (canvas);
-  return canvas_scene_has_role (priv (canvas)->scene, role);
+  return canvas_show_has_role (priv (canvas)->show, role);
 }
 
 /* The cursor */
@@ -171,72 +129,10 @@ check_cursor (Canvas *canvas)
 
 /* Drawing */
 
-static gboolean
-on_settled (gpointer user)
-{
-  CanvasPrivate *p = priv (user);
-
-  p->settle_source = 0;
-  p->is_settling = TRUE;
-  invalidate_picture (user);
-  return G_SOURCE_REMOVE;
-}
-
-/* Puts off the good picture until nothing has moved for a while. */
-static void
-settle_later (Canvas *canvas)
-{
-  CanvasPrivate *p = priv (canvas);
-
-  if (p->settle_source != 0)
-    g_source_remove (p->settle_source);
-  p->settle_source = g_timeout_add (SETTLE_MS, on_settled, canvas);
-}
-
 void
 canvas_set_moving (Canvas *canvas, gboolean moving)
 {
-  priv (canvas)->is_moving = moving;
-}
-
-static gboolean
-on_trouble (gpointer user)
-{
-  CanvasPrivate *p = priv (user);
-  g_autofree char *trouble = g_steal_pointer (&p->trouble);
-
-  p->trouble_source = 0;
-  g_signal_emit (user, signals[SIGNAL_FAILED], 0, trouble);
-  return G_SOURCE_REMOVE;
-}
-
-/* A window that is being drawn cannot show a sentence more: later. */
-static void
-tell_trouble (Canvas *canvas, const GError *error)
-{
-  CanvasPrivate *p = priv (canvas);
-
-  g_free (p->trouble);
-  p->trouble = g_strdup_printf (_ ("Space is painted without OpenGL: %s"),
-                                error->message);
-  if (p->trouble_source == 0)
-    p->trouble_source = g_idle_add (on_trouble, canvas);
-}
-
-static void
-paint (Canvas *canvas)
-{
-  CanvasPrivate *p = priv (canvas);
-  const Projection projection = canvas_get_projection (canvas);
-  g_autoptr (GError) error = NULL;
-
-  if (!canvas_picture_update (p->picture, canvas_get_scene (canvas),
-                              &projection, canvas_get_theme (canvas),
-                              p->is_moving && !p->is_settling, &error))
-    tell_trouble (canvas, error);
-  p->is_settling = FALSE;
-  if (canvas_picture_is_rough (p->picture))
-    settle_later (canvas);
+  canvas_show_set_moving (priv (canvas)->show, moving);
 }
 
 static void
@@ -285,9 +181,7 @@ canvas_draw (GtkWidget *widget, cairo_t *cr)
 
   if (p->session == NULL)
     return FALSE;
-  if (!canvas_picture_is_valid (p->picture))
-    paint (canvas);
-  canvas_picture_draw (p->picture, cr);
+  canvas_show_draw (p->show, cr);
   if (HULL2VD_CANVAS_GET_CLASS (canvas)->draw_over != NULL)
     HULL2VD_CANVAS_GET_CLASS (canvas)->draw_over (canvas, cr);
   if (p->shows_focus && gtk_widget_has_focus (widget))
@@ -312,8 +206,8 @@ canvas_unrealize (GtkWidget *widget)
 {
   CanvasPrivate *p = priv (HULL2VD_CANVAS (widget));
 
-  if (p->picture != NULL)
-    canvas_picture_release (p->picture);
+  if (p->show != NULL)
+    canvas_show_release (p->show);
   GTK_WIDGET_CLASS (canvas_parent_class)->unrealize (widget);
 }
 
@@ -327,20 +221,30 @@ on_scale_factor (GtkWidget *widget, GParamSpec *pspec, gpointer user)
 
 /* The session */
 
+#define MATTERS                                                                \
+  (CHANGED_SITES | CHANGED_STEP | CHANGED_LOOK | CHANGED_CAMERA                \
+   | CHANGED_LESSON | CHANGED_APPEARANCE)
+
+/* What there is in space is the same from everywhere. */
+static CanvasChange
+change_of (Canvas *canvas, guint changes)
+{
+  if ((changes & MATTERS) == CHANGED_CAMERA
+      && HULL2VD_CANVAS_GET_CLASS (canvas)->is_space)
+    return CANVAS_CHANGE_PICTURE;
+  return changes == CHANGED_LOOK ? CANVAS_CHANGE_LOOK : CANVAS_CHANGE_SCENE;
+}
+
 static void
 on_changed (Session *session, guint changes, Canvas *canvas)
 {
-  const guint matters = CHANGED_SITES | CHANGED_STEP | CHANGED_LOOK
-                        | CHANGED_CAMERA | CHANGED_LESSON | CHANGED_APPEARANCE;
+  CanvasShow *show = priv (canvas)->show;
 
   (void)session;
-  if ((changes & matters) == 0)
+  if ((changes & MATTERS) == 0)
     return;
-  /* What there is in space is the same from everywhere. */
-  if ((changes & matters) != CHANGED_CAMERA
-      || !HULL2VD_CANVAS_GET_CLASS (canvas)->is_space)
-    canvas_scene_invalidate (priv (canvas)->scene, changes == CHANGED_LOOK);
-  invalidate_picture (canvas);
+  canvas_show_check_work (show);
+  canvas_show_invalidate (show, change_of (canvas, changes));
   if (changes & CHANGED_SITES)
     check_cursor (canvas);
   canvas_accessible_update (GTK_WIDGET (canvas), changes);
@@ -353,8 +257,7 @@ canvas_set_session (Canvas *canvas, Session *session)
 
   g_assert (p->session == NULL);
   p->session = g_object_ref (session);
-  p->picture = canvas_picture_new (GTK_WIDGET (canvas),
-                                   HULL2VD_CANVAS_GET_CLASS (canvas)->is_space);
+  p->show = canvas_show_new (canvas);
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), canvas,
                            0);
   canvas_invalidate (canvas);
@@ -363,7 +266,19 @@ canvas_set_session (Canvas *canvas, Session *session)
 void
 canvas_fail (Canvas *canvas, const GError *error)
 {
-  g_signal_emit (canvas, signals[SIGNAL_FAILED], 0, error->message);
+  canvas_fail_with (canvas, error->message);
+}
+
+void
+canvas_fail_with (Canvas *canvas, const char *sentence)
+{
+  g_signal_emit (canvas, signals[SIGNAL_FAILED], 0, sentence);
+}
+
+void
+canvas_tell_renewed (Canvas *canvas)
+{
+  g_signal_emit (canvas, signals[SIGNAL_RENEWED], 0);
 }
 
 /* Life */
@@ -373,27 +288,13 @@ canvas_dispose (GObject *object)
 {
   CanvasPrivate *p = priv (HULL2VD_CANVAS (object));
 
-  if (p->settle_source != 0)
-    g_source_remove (p->settle_source);
-  p->settle_source = 0;
-  if (p->trouble_source != 0)
-    g_source_remove (p->trouble_source);
-  p->trouble_source = 0;
   for (guint i = 0; i < N_CANVAS_GESTURES; i++)
     g_clear_object (&p->gestures[i]);
   for (guint i = 0; i < N_CANVAS_CONTROLLERS; i++)
     g_clear_object (&p->controllers[i]);
-  g_clear_pointer (&p->picture, canvas_picture_free);
+  g_clear_pointer (&p->show, canvas_show_free);
   g_clear_object (&p->session);
   G_OBJECT_CLASS (canvas_parent_class)->dispose (object);
-}
-
-static void
-canvas_finalize (GObject *object)
-{
-  g_free (priv (HULL2VD_CANVAS (object))->trouble);
-  canvas_scene_free (priv (HULL2VD_CANVAS (object))->scene);
-  G_OBJECT_CLASS (canvas_parent_class)->finalize (object);
 }
 
 static void
@@ -403,7 +304,6 @@ canvas_class_init (CanvasClass *class)
   GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
 
   object_class->dispose = canvas_dispose;
-  object_class->finalize = canvas_finalize;
   widget_class->draw = canvas_draw;
   widget_class->size_allocate = canvas_size_allocate;
   widget_class->unrealize = canvas_unrealize;
@@ -412,6 +312,9 @@ canvas_class_init (CanvasClass *class)
   signals[SIGNAL_FAILED]
       = g_signal_new ("failed", CANVAS_TYPE, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
                       NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
+  signals[SIGNAL_RENEWED]
+      = g_signal_new ("renewed", CANVAS_TYPE, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
+                      NULL, G_TYPE_NONE, 0);
 }
 
 static void
@@ -419,7 +322,6 @@ canvas_init (Canvas *canvas)
 {
   CanvasPrivate *p = priv (canvas);
 
-  p->scene = canvas_scene_new ();
   gtk_widget_set_can_focus (GTK_WIDGET (canvas), TRUE);
   canvas_input_attach (canvas, p->gestures, p->controllers);
   g_signal_connect (canvas, "notify::scale-factor",

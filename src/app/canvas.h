@@ -68,6 +68,10 @@ gboolean canvas_is_shown (Canvas *canvas);
  *          call. */
 const Theme *canvas_get_theme (Canvas *canvas);
 
+/* Whether the picture is another thread's work, and shows what was before:
+ * what it shows cannot be pointed at. Then "renewed" is emitted. */
+gboolean canvas_is_busy (Canvas *canvas);
+
 /* Whether the picture shows something of @role: for the legend. */
 gboolean canvas_has_role (Canvas *canvas, Role role);
 
@@ -92,10 +96,12 @@ Projection canvas_get_projection (Canvas *canvas);
 
 /* Says in the window what could not be done. */
 void canvas_fail (Canvas *canvas, const GError *error);
+void canvas_fail_with (Canvas *canvas, const char *sentence);
 
-/* For canvas-input.c and the views. */
+/* For canvas-*.c and the views. */
 void canvas_invalidate (Canvas *canvas);
 void canvas_set_moving (Canvas *canvas, gboolean moving);
+void canvas_tell_renewed (Canvas *canvas);
 
 G_END_DECLS
 

@@ -81,19 +81,41 @@ gl_view_free (GlView *view)
   g_free (view);
 }
 
-gboolean
-gl_view_is_software (GlView *view)
+static gboolean
+is_software (const char *renderer)
 {
   static const char *const names[]
       = { "llvmpipe", "softpipe", "swrast", "SwiftShader", "Software" };
-  const char *renderer;
 
-  gdk_gl_context_make_current (view->context);
-  renderer = (const char *)glGetString (GL_RENDERER);
   for (guint i = 0; renderer != NULL && i < G_N_ELEMENTS (names); i++)
     if (strstr (renderer, names[i]) != NULL)
       return TRUE;
   return FALSE;
+}
+
+/* Asked on a window that nobody sees: GDK puts all of a window that has ever
+ * had a context on the screen by OpenGL, for each picture. */
+gboolean
+gl_view_is_software (GtkWidget *widget)
+{
+  GdkWindowAttr attributes = { .wclass = GDK_INPUT_OUTPUT,
+                               .window_type = GDK_WINDOW_TOPLEVEL,
+                               .width = 1,
+                               .height = 1 };
+  GdkScreen *screen = gtk_widget_get_screen (widget);
+  GdkWindow *window
+      = gdk_window_new (gdk_screen_get_root_window (screen), &attributes, 0);
+  GdkGLContext *context = gdk_window_create_gl_context (window, NULL);
+  gboolean is_soft = FALSE;
+
+  if (context != NULL && gdk_gl_context_realize (context, NULL)) {
+    gdk_gl_context_make_current (context);
+    is_soft = is_software ((const char *)glGetString (GL_RENDERER));
+    gdk_gl_context_clear_current ();
+  }
+  g_clear_object (&context);
+  gdk_window_destroy (window);
+  return is_soft;
 }
 
 gboolean

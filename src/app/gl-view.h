@@ -19,8 +19,9 @@ typedef struct GlView GlView;
 GlView *gl_view_new (GtkWidget *widget, GError **error);
 void gl_view_free (GlView *view);
 
-/* Whether OpenGL is made by the processor alone: then the raster is faster. */
-gboolean gl_view_is_software (GlView *view);
+/* Whether OpenGL is made by the processor alone where @widget is: then the
+ * raster is faster. */
+gboolean gl_view_is_software (GtkWidget *widget);
 
 /* Paints the drawing anew; roughly while something moves.
  *

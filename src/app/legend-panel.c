@@ -315,6 +315,8 @@ void
 legend_panel_add_view (LegendPanel *panel, Canvas *view)
 {
   g_ptr_array_add (panel->views, g_object_ref (view));
+  g_signal_connect_object (view, "renewed", G_CALLBACK (update), panel,
+                           G_CONNECT_SWAPPED);
   update (panel);
 }
 

@@ -68,6 +68,15 @@ apply_mask (SceneBuilder *builder)
   builder->frame = &builder->mask.frame;
 }
 
+/* What a look borrows may be gone when the next one is compared with it. */
+static void
+put_look (Scene *scene, const SceneLook *look)
+{
+  scene->look = *look;
+  scene->look.answers = NULL;
+  scene->look.selected = NULL;
+}
+
 /* Scenes are told apart by it, wherever they lie and whoever fills them. */
 static atomic_uint_fast64_t last_edition;
 
@@ -81,7 +90,7 @@ scene_builder_open (SceneBuilder *builder,
   builder->scene = scene;
   builder->look = look;
   scene->n_items = scene->n_points = scene->n_labels = scene->n_lit = 0;
-  scene->look = *look;
+  put_look (scene, look);
   scene->stock
       = (SceneStock){ .edition = atomic_fetch_add (&last_edition, 1) + 1 };
   if (scene->labels_room < n_labels)
@@ -129,7 +138,7 @@ scene_builder_resume (SceneBuilder *builder,
 {
   memset (builder, 0, sizeof *builder);
   builder->scene = scene;
-  scene->look = *look;
+  put_look (scene, look);
   scene->n_items = scene->stock.n_items;
   scene->n_points = scene->stock.n_points;
   scene->n_labels = scene->stock.n_labels;

@@ -57,6 +57,12 @@ scene_index_renew (Scene *scene)
   }
 }
 
+void
+scene_prepare_light (Scene *scene)
+{
+  scene_index_renew (scene);
+}
+
 /* From a link of a chain to the first item of @object. */
 static uint32_t
 follow (const Scene *scene, uint32_t link, Object object)

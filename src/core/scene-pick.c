@@ -298,8 +298,10 @@ make_room (ScenePicker *picker, const Scene *scene)
                                  scene->stock.n_items, sizeof *picker->boxes);
 }
 
-static void
-renew (ScenePicker *picker, const Scene *scene, const Projection *projection)
+void
+scene_picker_prepare (ScenePicker *picker,
+                      const Scene *scene,
+                      const Projection *projection)
 {
   const float width = (float)projection->width;
   const float height = (float)projection->height;
@@ -336,7 +338,7 @@ scene_picker_pick (ScenePicker *list,
 
   if (reach_px > REACH_MOST)
     return scene_pick (scene, projection, at_px, reach_px);
-  renew (list, scene, projection);
+  scene_picker_prepare (list, scene, projection);
   box_index_find (list->index, &place);
   picker.found = list->index;
   picker.corners = list->corners;

@@ -284,7 +284,7 @@ typedef struct Scene {
   bool is_space; /* else plane: all z are 0 and passes do not matter */
   char (*labels)[LABEL_ROOM];
   uint32_t n_labels, labels_room;
-  SceneLook look; /* that it is filled for */
+  SceneLook look; /* that it is filled for, but what that borrows */
   SceneStock stock;
   uint32_t *lit; /* items of the stock that are lit, ascending, n_lit of them */
   uint32_t n_lit, lit_room;
@@ -312,6 +312,9 @@ void scene_clear (Scene *scene);
  * Cost:    O(items that are lit, before or now); the first time, and where a
  *          preview is, O(items). */
 bool scene_relight (Scene *scene, const Frame *frame, const SceneLook *look);
+
+/* Does now what the first scene_relight() would do once. */
+void scene_prepare_light (Scene *scene);
 
 /* Sets low and high to what @projection, one of the plane view, shows within
  * @inset_px of its border. */
@@ -376,6 +379,11 @@ typedef struct ScenePicker ScenePicker;
 
 ScenePicker *scene_picker_new (void);
 void scene_picker_free (ScenePicker *picker);
+
+/* Does now what is done the first time. */
+void scene_picker_prepare (ScenePicker *picker,
+                           const Scene *scene,
+                           const Projection *projection);
 Object scene_picker_pick (ScenePicker *picker,
                           const Scene *scene,
                           const Projection *projection,

@@ -37,7 +37,7 @@ easel_new (void)
   Easel *easel = memory_new (1, sizeof *easel);
   int i;
 
-  easel->names = names_new ();
+  easel->names = names_new_apart ();
   easel->boxes = box_index_new ();
   easel->underlay = underlay_new ();
   easel->merged = drawing_new (easel->names);
@@ -104,22 +104,31 @@ draw_stock (Easel *easel, const Scene *scene)
   easel->are_boxes_set = false;
 }
 
+static void
+list_strokes (Easel *easel)
+{
+  const Drawing *stock = easel->stocks[0];
+  const PixelBox view = { 0, 0, (float)stock->width, (float)stock->height };
+
+  if (easel->are_boxes_set)
+    return;
+  box_index_set (easel->boxes, &view, &stock->strokes[0].box,
+                 sizeof stock->strokes[0], stock->n_strokes);
+  easel->are_boxes_set = true;
+}
+
 /* The strokes are listed when something is lit over a stock that stays: on the
  * next occasions they will be there. */
 static void
 draw_light (Easel *easel, const Scene *scene, bool stays)
 {
   const Drawing *stock = easel->stocks[0];
-  const PixelBox view = { 0, 0, (float)stock->width, (float)stock->height };
   LitDrawing *light = easel->lights[1];
 
   easel->lights[1] = easel->lights[0];
   easel->lights[0] = light;
-  if (stays && !easel->are_boxes_set) {
-    box_index_set (easel->boxes, &view, &stock->strokes[0].box,
-                   sizeof stock->strokes[0], stock->n_strokes);
-    easel->are_boxes_set = true;
-  }
+  if (stays)
+    list_strokes (easel);
   lit_drawing_set (light, stock, scene, &easel->projection,
                    easel->are_boxes_set ? easel->boxes : NULL);
 }
@@ -275,6 +284,23 @@ paint_light_changes (Easel *easel, const Scene *scene)
   return region;
 }
 
+bool
+easel_has_stock (const Easel *easel,
+                 const Scene *scene,
+                 const Projection *projection,
+                 const Theme *theme,
+                 double scale)
+{
+  return is_same_sheet (easel, projection, theme, scale)
+         && easel->edition == scene->stock.edition;
+}
+
+void
+easel_prepare_light (Easel *easel)
+{
+  list_strokes (easel);
+}
+
 cairo_region_t *
 easel_paint (Easel *easel,
              const Scene *scene,
@@ -284,7 +310,7 @@ easel_paint (Easel *easel,
 {
   const bool is_same = is_same_sheet (easel, projection, theme, scale);
   const bool has_other_stock
-      = !is_same || easel->edition != scene->stock.edition;
+      = !easel_has_stock (easel, scene, projection, theme, scale);
 
   easel->theme = *theme;
   easel->projection = *projection;

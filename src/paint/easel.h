@@ -1,6 +1,6 @@
 /* An easel holds the picture of one view on the screen and keeps it up to
  * date: only what has changed is painted again, with the same pixels as if all
- * were.
+ * were. It may go from one thread to another.
  *
  *   Easel *easel = easel_new ();
  *   cairo_region_t *region;
@@ -31,6 +31,17 @@ cairo_region_t *easel_paint (Easel *easel,
                              const Projection *projection,
                              const Theme *theme,
                              double scale);
+
+/* Returns: whether the picture shows the scene's stock like this already: then
+ *          easel_paint() has no more to do than what is lit. */
+bool easel_has_stock (const Easel *easel,
+                      const Scene *scene,
+                      const Projection *projection,
+                      const Theme *theme,
+                      double scale);
+
+/* Does now what is done once when something is lit over the picture. */
+void easel_prepare_light (Easel *easel);
 
 /* Returns: the picture, borrowed, until the next one is painted; NULL before
  *          the first. */

@@ -38,10 +38,9 @@ clear_name (gpointer data)
 
 /* The same outlines on every screen: no hinting. */
 static PangoLayout *
-layout_new (void)
+layout_new (PangoFontMap *fonts)
 {
-  PangoContext *context
-      = pango_font_map_create_context (pango_cairo_font_map_get_default ());
+  PangoContext *context = pango_font_map_create_context (fonts);
   cairo_font_options_t *options = cairo_font_options_create ();
   PangoLayout *layout;
 
@@ -54,16 +53,32 @@ layout_new (void)
   return layout;
 }
 
-Names *
-names_new (void)
+static Names *
+new_with_fonts (PangoFontMap *fonts)
 {
   Names *names = g_new0 (Names, 1);
 
-  names->layout = layout_new ();
+  names->layout = layout_new (fonts);
   names->names = g_array_new (FALSE, TRUE, sizeof (Name));
   g_array_set_clear_func (names->names, clear_name);
   names->numbers
       = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  return names;
+}
+
+Names *
+names_new (void)
+{
+  return new_with_fonts (pango_cairo_font_map_get_default ());
+}
+
+Names *
+names_new_apart (void)
+{
+  PangoFontMap *fonts = pango_cairo_font_map_new ();
+  Names *names = new_with_fonts (fonts);
+
+  g_object_unref (fonts);
   return names;
 }
 

@@ -30,6 +30,9 @@ typedef struct NameMask {
 } NameMask;
 
 Names *names_new (void);
+
+/* The same with fonts of its own, so that it need not stay in one thread. */
+Names *names_new_apart (void);
 void names_free (Names *names);
 
 /* Names are set for @theme from now on. When its type is another, or there

@@ -240,25 +240,34 @@ look_at_sites (const SceneLook *look)
 }
 
 /* What a pane shows of the runs of the hull, and how. */
-static const Frame *
+static KeptFrame *
 frame_of_pane (Session *session, guint pane, SceneLook *look)
 {
   if (session_pane_has_facets (session, pane))
-    return session_get_frame (session);
+    return session_keep_frame (session);
   *look = look_at_sites (look);
-  return session_get_other_frame (session);
+  return session_keep_other_frame (session);
+}
+
+Showing *
+session_keep_showing (Session *session, guint pane, const SceneLook *look)
+{
+  SceneLook its_look = *look;
+  KeptFrame *frame;
+
+  if (!shows_lifts (session))
+    return NULL;
+  frame = frame_of_pane (session, pane, &its_look);
+  return showing_new (frame, session_get_pane (session, pane) == PANE_SPACE,
+                      &its_look);
 }
 
 static void
 fill_run (Session *session, guint pane, Scene *scene, const SceneLook *look)
 {
-  SceneLook its_look = *look;
-  const Frame *frame = frame_of_pane (session, pane, &its_look);
+  g_autoptr (Showing) showing = session_keep_showing (session, pane, look);
 
-  if (session_get_pane (session, pane) == PANE_SPACE)
-    scene_space (scene, frame, &its_look);
-  else
-    scene_plane (scene, frame, &its_look);
+  showing_fill (showing, scene);
 }
 
 gboolean
@@ -272,7 +281,7 @@ session_relight_scene (Session *session,
   if (!shows_lifts (session)
       || (session_get_pane (session, pane) == PANE_SPACE) != scene->is_space)
     return FALSE;
-  return scene_relight (scene, frame_of_pane (session, pane, &its_look),
+  return scene_relight (scene, &frame_of_pane (session, pane, &its_look)->frame,
                         &its_look);
 }
 

@@ -227,6 +227,13 @@ session_set_patient (Session *session, gboolean patient)
 }
 
 gboolean
+session_is_large (Session *session)
+{
+  return session->is_patient && session->exhibit_kind <= EXHIBIT_COMPARE
+         && session_get_set (session)->n_sites > SESSION_AT_ONCE;
+}
+
+gboolean
 session_is_working (Session *session, double *part)
 {
   SessionWork *work = session->work;

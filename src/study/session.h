@@ -21,6 +21,7 @@
 #include "performance.h"
 #include "progress.h"
 #include "scene.h"
+#include "showing.h"
 
 #include <gio/gio.h>
 
@@ -253,6 +254,16 @@ void session_fill_scene (Session *session,
                          guint pane,
                          Scene *scene,
                          const SceneLook *look);
+
+/* The same for later: what a picture shows now.
+ *
+ * Returns: (transfer full): NULL: the exhibit is none that can be kept. */
+Showing *
+session_keep_showing (Session *session, guint pane, const SceneLook *look);
+
+/* Whether what is shown can be kept, and there are so many sites that pictures
+ * of it take longer than the main loop of a patient session should wait. */
+gboolean session_is_large (Session *session);
 
 /* Brings a scene that the session has filled to another look: scene_relight().
  * Nothing but the look has changed since then.

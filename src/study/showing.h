@@ -1,0 +1,27 @@
+/* What a picture shows at one moment, kept: another thread can make a scene of
+ * it, whatever the session shows by then. */
+#ifndef SHOWING_H
+#define SHOWING_H
+
+#include "kept-frame.h"
+#include "scene.h"
+
+G_BEGIN_DECLS
+
+typedef struct Showing {
+  KeptFrame *frame;
+  gboolean is_space;
+  SceneLook look; /* owns its answers and its selected sites */
+} Showing;
+
+Showing *
+showing_new (KeptFrame *frame, gboolean is_space, const SceneLook *look);
+void showing_free (Showing *showing);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (Showing, showing_free)
+
+/* Fills @scene anew. */
+void showing_fill (const Showing *showing, Scene *scene);
+
+G_END_DECLS
+
+#endif
