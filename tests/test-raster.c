@@ -315,7 +315,7 @@ test_crowd (void)
 static void
 test_parts (void)
 {
-  for (guint seed = 1; seed <= 2; seed++) {
+  for (guint seed = 1; seed <= fixture_n_seeds (2); seed++) {
     g_autoptr (Fixture) random
         = fixture_new (FAMILY_RANDOM, seed, 40, ORDER_FURTHEST);
     g_autoptr (Fixture) ties
