@@ -262,6 +262,29 @@ test_an_option_is_right_for_a_reason_in_words (void)
 }
 
 static void
+test_a_question_shows_what_its_scene_selects (void)
+{
+  static const char asked[]
+      = LECTURE "## A\n\n```steps\ngoto simplex\nselect f0\n```\n\n"
+                "## B\n\n```ask\nsimplex\nclick sites-that-see f1\n```\n\n"
+                "## C\n\n```steps\nselect f1\n```\n\n"
+                "```ask\nsimplex\nclick sites-that-see f1\n```\n";
+  g_autoptr (Session) session = session_new ();
+  g_autoptr (Lesson) lesson
+      = lesson_parse (asked, sizeof asked - 1, "l.md", NULL);
+
+  session_set_lesson (session, lesson);
+  g_assert_cmpint (session_get_look (session)->selection.kind, ==,
+                   OBJECT_FACET);
+  session_set_stop (session, 1);
+  g_assert_cmpint (session_get_look (session)->selection.kind, ==, OBJECT_NONE);
+  session_set_stop (session, 2);
+  g_assert_cmpint (session_get_look (session)->selection.kind, ==,
+                   OBJECT_FACET);
+  g_assert_cmpuint (session_get_look (session)->selection.number, ==, 1);
+}
+
+static void
 test_counters_tell_nothing_while_it_asks (void)
 {
   g_autoptr (Session) session = begin ();
@@ -389,6 +412,8 @@ static const struct {
     test_one_number_is_asked_for_as_one },
   { "/exercise/an-option-is-right-for-a-reason-in-words",
     test_an_option_is_right_for_a_reason_in_words },
+  { "/exercise/a-question-shows-what-its-scene-selects",
+    test_a_question_shows_what_its_scene_selects },
   { "/exercise/counters-tell-nothing-while-it-asks",
     test_counters_tell_nothing_while_it_asks },
   { "/exercise/a-drag-is-right-when-it-is-let-go",

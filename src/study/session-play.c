@@ -172,7 +172,6 @@ find_question (Player *player)
     return FALSE;
   }
   session_put_step (session, stop->occasion.step);
-  session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   stop->ask_state = session_get_state (session);
   return TRUE;
 }
@@ -293,6 +292,9 @@ play_stop (Player *player, guint stop)
                                : lesson_stop (lesson, stop - 1)->state);
   session->stop = stop;
   player->stop = g_ptr_array_index (lesson->stops, stop);
+  /* Beside a question stands what its own scene selects alone. */
+  if (player->stop->question != NULL)
+    session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   play_commands (player);
   session->is_replaying = FALSE;
   session_tell (session, CHANGED_LESSON);
