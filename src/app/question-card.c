@@ -1,6 +1,7 @@
 #include "question-card.h"
 
 #include "answer-list.h"
+#include "attempt.h"
 #include "performance-card.h"
 #include "prose.h"
 #include "scroll-to.h"
@@ -95,6 +96,37 @@ append_all (GString *text, const GPtrArray *lines)
     append_line (text, g_ptr_array_index (lines, i));
 }
 
+/* More of them, which say the same of other objects, push the question off. */
+#define MOST_MISSED 4
+
+static void
+append_missed (GString *text, const GPtrArray *missed)
+{
+  const guint n_more = missed->len - MIN (missed->len, MOST_MISSED);
+  g_autofree char *more = g_strdup_printf (
+      ngettext ("and %u more", "and %u more", n_more), n_more);
+
+  for (guint i = 0; i + n_more < missed->len; i++)
+    append_line (text, g_ptr_array_index (missed, i));
+  if (n_more > 0)
+    append_line (text, more);
+}
+
+/* Of a law there is nothing that could be missed. */
+static char *
+law_text (const Exercise *exercise)
+{
+  g_autoptr (Answer) answer
+      = answer_new (exercise->question, &exercise->occasion);
+  g_autofree char *yes_or_no = question_item_text (
+      exercise->question, (Object){ OBJECT_NONE, answer->is_found ? 1 : 0 });
+  g_autofree char *reason
+      = answer_reason (exercise->question, &exercise->occasion,
+                       (Object){ OBJECT_NONE, 0 }, TRUE);
+
+  return g_strdup_printf ("%s. %s", yes_or_no, reason);
+}
+
 /* Whoever looks at the answer without an attempt is told why as well. */
 static char *
 reasons_text (const Exercise *exercise)
@@ -107,6 +139,9 @@ reasons_text (const Exercise *exercise)
   if (verdict == NULL && !exercise->is_open
       && exercise->question->kind == QUESTION_DRAG)
     return g_strdup (_ ("It holds where the site is now."));
+  if (verdict == NULL && !exercise->is_open
+      && exercise->question->kind == QUESTION_ALWAYS)
+    return law_text (exercise);
   if (verdict == NULL && !exercise->is_open)
     verdict = blank = attempt_grade (exercise->attempt, exercise->question,
                                      &exercise->occasion);
@@ -115,7 +150,7 @@ reasons_text (const Exercise *exercise)
     if (!exercise->is_open && verdict->missed->len > 0) {
       if (verdict != blank && exercise->question->kind == QUESTION_CLICK)
         append_line (text, _ ("Missed, dotted in the pictures:"));
-      append_all (text, verdict->missed);
+      append_missed (text, verdict->missed);
     }
   }
   return g_string_free (g_steal_pointer (&text), FALSE);
