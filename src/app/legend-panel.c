@@ -99,9 +99,35 @@ static const char *const planar_texts[N_ROLES] = {
   [ROLE_SITE_OUTSIDE] = N_ ("outside set of e"),
 };
 
+/* What is not lower is upper, vertical, or some of either. */
+static const char *
+steep_text (Role role, const Frame *frame)
+{
+  const gboolean is_visible = role == ROLE_VISIBLE_UPPER;
+  const guint roles = is_visible ? FACET_VISIBLE : FACET_CONE | FACET_NEW;
+  gboolean has_upper = FALSE, has_vertical = FALSE;
+
+  for (guint i = 0; i < frame->n_facets; i++) {
+    const FrameFacet *row = &frame->facets[i];
+    const Facing facing = frame->trace->facets[row->facet].facing;
+
+    if ((row->roles & roles) == 0)
+      continue;
+    has_upper |= facing == FACING_UPPER;
+    has_vertical |= facing == FACING_VERTICAL;
+  }
+  if (!has_vertical)
+    return role_texts[role];
+  if (is_visible)
+    return has_upper ? N_ ("{p} sees: not lower") : N_ ("{p} sees: vertical");
+  return has_upper ? N_ ("cone: not lower") : N_ ("cone: vertical");
+}
+
 static const char *
 template_of (Role role, Session *session)
 {
+  if (role == ROLE_VISIBLE_UPPER || role == ROLE_CONE_UPPER)
+    return steep_text (role, session_get_frame (session));
   return session_get_exhibit_kind (session) == EXHIBIT_PLANAR
                  && planar_texts[role] != NULL
              ? planar_texts[role]
