@@ -5,6 +5,7 @@
 #include "laws.h"
 #include "lesson-text.h"
 
+#include <math.h>
 #include <string.h>
 
 static const char lesson_text[]
@@ -284,6 +285,31 @@ test_a_question_shows_what_its_scene_selects (void)
   g_assert_cmpuint (session_get_look (session)->selection.number, ==, 1);
 }
 
+/* What is shown as an answer can be seen: a place outside the plane makes it
+ * larger. */
+static void
+test_a_place_that_is_shown_lies_in_the_picture (void)
+{
+  static const char asked[] = SITES (
+      "-0.5 -0.5; 0.5 -0.5; 0.5 0.5; -0.5 0.5") "\n```ask\ncomplete\ndrag s3 "
+                                                "until outside s3\n```\n";
+  g_autoptr (Session) session = session_new ();
+  g_autoptr (Lesson) lesson
+      = lesson_parse (asked, sizeof asked - 1, "l.md", NULL);
+  const Extent *extent = &session_get_look (session)->extent;
+
+  g_assert_nonnull (lesson);
+  session_set_lesson (session, lesson);
+  act (session, "show-answer", NULL);
+  for (guint i = 0; i < 4; i++) {
+    const Site site = session_get_set (session)->sites[i];
+
+    g_assert_cmpfloat (fabs (site.x - extent->centre.x), <=, extent->radius);
+    g_assert_cmpfloat (fabs (site.y - extent->centre.y), <=, extent->radius);
+  }
+  g_assert_cmpfloat (session_get_plane_camera (session)->zoom, ==, 1);
+}
+
 static void
 test_counters_tell_nothing_while_it_asks (void)
 {
@@ -414,6 +440,8 @@ static const struct {
     test_an_option_is_right_for_a_reason_in_words },
   { "/exercise/a-question-shows-what-its-scene-selects",
     test_a_question_shows_what_its_scene_selects },
+  { "/exercise/a-place-that-is-shown-lies-in-the-picture",
+    test_a_place_that_is_shown_lies_in_the_picture },
   { "/exercise/counters-tell-nothing-while-it-asks",
     test_counters_tell_nothing_while_it_asks },
   { "/exercise/a-drag-is-right-when-it-is-let-go",

@@ -179,6 +179,16 @@ session_fit_extent (Session *session, gboolean anyway)
 }
 
 void
+session_show_all_sites (Session *session)
+{
+  if (all_inside (session->run->set, &session->look.extent))
+    return;
+  session_fit_extent (session, TRUE);
+  plane_camera_init (&session->plane_camera);
+  session_tell (session, CHANGED_CAMERA);
+}
+
+void
 session_fit (Session *session)
 {
   const Quaternion turn = session->camera.turn;

@@ -122,6 +122,10 @@ void session_put_exhibit (Session *session, ExhibitKind kind, guint step);
  * inside it. */
 void session_fit_extent (Session *session, gboolean anyway);
 
+/* Fits the plane to the sites when some are outside of it: nobody holds one
+ * that would have to stay under the pointer. */
+void session_show_all_sites (Session *session);
+
 #define THEME_UNTOLD (-1)
 
 /* The theme that a lesson tells, or THEME_UNTOLD. */

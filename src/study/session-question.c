@@ -342,7 +342,7 @@ show_sites (Session *session, const Exercise *exercise)
   if (run == NULL)
     return;
   session_put_run (session, run, run->trace->n_events);
-  session_fit_extent (session, FALSE);
+  session_show_all_sites (session);
 }
 
 /* The lesson goes on to where the answer is seen; what a person has dragged
