@@ -2,6 +2,7 @@
 
 #include "flat.h"
 #include "memory.h"
+#include "trace-ridges.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -40,7 +41,11 @@ add_triangle (Delaunay *delaunay, const uint32_t site[3], uint32_t facet)
   return delaunay->n_triangles++;
 }
 
-/* Returns: for each facet its triangle, or INDEX_NONE; free with free(). */
+/* Of a facet that stands and is no lower one. */
+#define NO_TRIANGLE (INDEX_NONE - 1)
+
+/* Returns: for each facet its triangle, NO_TRIANGLE, or INDEX_NONE when it
+ *          does not stand; free with free(). */
 static uint32_t *
 add_triangles (Delaunay *delaunay, const Trace *trace, uint32_t base)
 {
@@ -50,8 +55,11 @@ add_triangles (Delaunay *delaunay, const Trace *trace, uint32_t base)
   for (facet = 0; facet < trace->n_facets; facet++) {
     const FacetRow *row = &trace->facets[facet];
 
-    triangle_of[facet] = INDEX_NONE;
-    if (row->facing == FACING_LOWER && span_has (row->span, base))
+    if (!span_has (row->span, base))
+      triangle_of[facet] = INDEX_NONE;
+    else if (row->facing != FACING_LOWER)
+      triangle_of[facet] = NO_TRIANGLE;
+    else
       triangle_of[facet] = add_triangle (delaunay, row->site, facet);
   }
   return triangle_of;
@@ -124,9 +132,10 @@ add_ridge (Delaunay *delaunay,
   const uint32_t left = triangle_of[facet[1]];
   const uint32_t right = triangle_of[facet[0]];
 
-  if (left != INDEX_NONE)
-    add_edge (delaunay, site, (uint32_t[2]){ left, right });
-  else if (right != INDEX_NONE)
+  if (left != NO_TRIANGLE)
+    add_edge (delaunay, site,
+              (uint32_t[2]){ left, right == NO_TRIANGLE ? INDEX_NONE : right });
+  else if (right != NO_TRIANGLE)
     add_edge (delaunay, (uint32_t[2]){ site[1], site[0] },
               (uint32_t[2]){ right, INDEX_NONE });
 }
@@ -259,25 +268,41 @@ init_flat (Delaunay *delaunay)
     add_segments (delaunay);
 }
 
+/* Adds the ridges that were born with a facet and stand. */
+static void
+add_born (Delaunay *delaunay,
+          const Trace *trace,
+          const uint32_t *triangle_of,
+          RidgeCursor *cursor,
+          uint32_t facet)
+{
+  const uint32_t *site = trace->facets[facet].site;
+  BornRidge born[3];
+  const uint32_t n = trace_born_ridges (trace, cursor, facet, born);
+  uint32_t i;
+
+  for (i = 0; i < n; i++) {
+    const uint32_t k = born[i].k;
+
+    if (triangle_of[born[i].right] != INDEX_NONE)
+      add_ridge (delaunay, triangle_of,
+                 (uint32_t[2]){ site[k], site[k == 2 ? 0 : k + 1] },
+                 (uint32_t[2]){ facet, born[i].right });
+  }
+}
+
 static void
 init_hull (Delaunay *delaunay, const Trace *trace, uint32_t base)
 {
+  RidgeCursor cursor = RIDGE_CURSOR;
   uint32_t *triangle_of;
-  uint32_t facet, k;
+  uint32_t facet;
 
   make_room (delaunay);
   triangle_of = add_triangles (delaunay, trace, base);
-  for (facet = 0; facet < trace->n_facets; facet++) {
-    FacetRidges ridges;
-
-    if (!span_has (trace->facets[facet].span, base))
-      continue;
-    ridges = trace_facet_ridges (trace, facet);
-    for (k = 0; k < ridges.n; k++)
-      if (span_has (ridges.row[k].span, base))
-        add_ridge (delaunay, triangle_of, ridges.row[k].site,
-                   ridges.row[k].facet);
-  }
+  for (facet = 0; facet < trace->n_facets; facet++)
+    if (triangle_of[facet] != INDEX_NONE)
+      add_born (delaunay, trace, triangle_of, &cursor, facet);
   free (triangle_of);
 }
 
@@ -292,7 +317,7 @@ init_batch (Delaunay *delaunay, const Batch *batch)
   for (i = 0; i < batch->n_facets; i++) {
     const uint32_t *s = batch->facets[i].site;
 
-    triangle_of[i] = INDEX_NONE;
+    triangle_of[i] = NO_TRIANGLE;
     if (facing (&sites[s[0]], &sites[s[1]], &sites[s[2]]) == FACING_LOWER)
       triangle_of[i] = add_triangle (delaunay, s, i);
   }

@@ -2,6 +2,7 @@
 
 #include "memory.h"
 #include "predicate.h"
+#include "trace-ridges.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -73,21 +74,22 @@ add_facets (Frame *frame)
 }
 
 static uint32_t
-opposite_site (const FacetRow *facet, const RidgeRow *ridge)
+opposite_site (const FacetRow *facet, const uint32_t ridge[2])
 {
   uint32_t k = 0;
 
-  while (facet->site[k] == ridge->site[0] || facet->site[k] == ridge->site[1])
+  while (facet->site[k] == ridge[0] || facet->site[k] == ridge[1])
     k++;
   return facet->site[k];
 }
 
 static bool
-is_coplanar (const Trace *trace, const RidgeRow *ridge)
+is_coplanar (const Trace *trace, const FrameRidge *ridge)
 {
   const Site *sites = trace->set->sites;
   const uint32_t *left = trace->facets[ridge->facet[0]].site;
-  const uint32_t right = opposite_site (&trace->facets[ridge->facet[1]], ridge);
+  const uint32_t right
+      = opposite_site (&trace->facets[ridge->facet[1]], ridge->site);
 
   return lift_orient (&sites[left[0]], &sites[left[1]], &sites[left[2]],
                       &sites[right])
@@ -95,32 +97,42 @@ is_coplanar (const Trace *trace, const RidgeRow *ridge)
 }
 
 static void
-add_ridge (Frame *frame, uint32_t ridge, const RidgeRow *row)
+add_ridge (Frame *frame, uint32_t ridge, uint32_t facet, const BornRidge *born)
 {
-  FrameRidge *place = &frame->ridges[frame->n_ridges++];
+  const FacetRow *row = &frame->trace->facets[facet];
+  FrameRidge *place;
 
+  if (!span_has (frame->trace->facets[born->right].span, frame->base)
+      || frame->base < frame->trace->simplex_end)
+    return;
+  place = &frame->ridges[frame->n_ridges++];
   place->ridge = ridge;
-  memcpy (place->site, row->site, sizeof place->site);
-  memcpy (place->facet, row->facet, sizeof place->facet);
-  place->is_coplanar = is_coplanar (frame->trace, row);
+  place->site[0] = row->site[born->k];
+  place->site[1] = row->site[(born->k + 1) % 3];
+  place->facet[0] = facet;
+  place->facet[1] = born->right;
+  place->is_coplanar = is_coplanar (frame->trace, place);
 }
 
 static void
 add_ridges (Frame *frame)
 {
+  RidgeCursor cursor = RIDGE_CURSOR;
   uint32_t i, k;
 
   frame->ridges
       = memory_new (3 * (size_t)frame->n_facets, sizeof *frame->ridges);
   for (i = 0; i < frame->n_facets; i++) {
-    FacetRidges ridges;
+    const uint32_t facet = frame->facets[i].facet;
+    BornRidge born[3];
+    uint32_t n;
 
     if ((frame->facets[i].roles & FACET_STANDS) == 0)
       continue;
-    ridges = trace_facet_ridges (frame->trace, frame->facets[i].facet);
-    for (k = 0; k < ridges.n; k++)
-      if (span_has (ridges.row[k].span, frame->base))
-        add_ridge (frame, ridges.first + k, &ridges.row[k]);
+    n = trace_born_ridges (frame->trace, &cursor, facet, born);
+    for (k = 0; k < n; k++)
+      add_ridge (frame, trace_first_ridge (&cursor, facet) + k, facet,
+                 &born[k]);
   }
 }
 

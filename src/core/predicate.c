@@ -8,10 +8,9 @@
 /* Half a unit in the last place of 1: the relative error of one rounding. */
 #define HALF_ULP (DBL_EPSILON / 2)
 
-/* Shewchuk 1997: ccwerrboundA and iccerrboundA, times the sums of magnitudes;
+/* Shewchuk 1997: iccerrboundA, times the sum of magnitudes;
  * COMPARE_DOUBT also covers the rounding of one difference. DBL_MIN is more
  * than underflow can take away. */
-#define ORIENT_DOUBT ((3 + 16 * HALF_ULP) * HALF_ULP)
 #define INCIRCLE_DOUBT ((10 + 96 * HALF_ULP) * HALF_ULP)
 #define COMPARE_DOUBT (12 * HALF_ULP)
 
@@ -20,12 +19,9 @@ orient (const Site *a, const Site *b, const Site *c)
 {
   const double left = (a->x - c->x) * (b->y - c->y);
   const double right = (a->y - c->y) * (b->x - c->x);
-  const double area = left - right;
-  const double doubt = ORIENT_DOUBT * (fabs (left) + fabs (right)) + DBL_MIN;
 
-  /* Rounding cannot turn the sign of an area larger than the doubt. */
-  if (fabs (area) > doubt)
-    return area > 0 ? 1 : -1;
+  if (orient_is_settled (left, right))
+    return left > right ? 1 : -1;
   return exact_orient (a, b, c);
 }
 

@@ -8,6 +8,9 @@
 
 #include "site.h"
 
+#include <float.h>
+#include <math.h>
+
 /* Sign of the signed area of triangle abc.
  *
  * Returns: +1 when a, b, c turn left, -1 when they turn right, 0 when they
@@ -15,6 +18,20 @@
  * Source:  Shewchuk 1997, ORIENT2D: stage A, then exact arithmetic.
  */
 int orient (const Site *a, const Site *b, const Site *c);
+
+/* Shewchuk 1997, ccwerrboundA. Whether orient() is the sign of @left - @right,
+ * which are the products (a.x - c.x) (b.y - c.y) and (a.y - c.y) (b.x - c.x):
+ * rounding cannot turn the sign of a larger area. */
+static inline bool
+orient_is_settled (double left, double right)
+{
+  /* Half a unit in the last place of 1; more than underflow can take away. */
+  const double half_ulp = DBL_EPSILON / 2;
+
+  return fabs (left - right)
+         > (3 + 16 * half_ulp) * half_ulp * (fabs (left) + fabs (right))
+               + DBL_MIN;
+}
 
 /* Side of the plane through the lifts of a, b, c on which the lift of d lies.
  *

@@ -14,15 +14,13 @@ room_for (uint32_t n, size_t size)
 }
 
 static void
-add_facet (Trace *trace, const uint32_t site[3], uint32_t step)
+add_facet (Trace *trace,
+           const uint32_t site[3],
+           Facing facing_of_it,
+           uint32_t step)
 {
-  const Site *sites = trace->set->sites;
-
   trace->facets[trace->n_facets++] = (FacetRow){
-    { site[0], site[1], site[2] },
-    trace->n_rounds,
-    STEP_NEVER,
-    facing (&sites[site[0]], &sites[site[1]], &sites[site[2]]),
+    { site[0], site[1], site[2] }, trace->n_rounds, STEP_NEVER, facing_of_it,
     { step, STEP_NEVER },
   };
 }
@@ -44,11 +42,17 @@ add_flat (Trace *trace)
 static void
 add_simplex (Trace *trace)
 {
+  const Site *sites = trace->set->sites;
   const TraceLog *log = &trace->log;
   uint32_t i;
 
-  for (i = 0; i < 4; i++)
-    add_facet (trace, log->simplex[i], ++trace->n_events);
+  for (i = 0; i < 4; i++) {
+    const uint32_t *site = log->simplex[i];
+
+    add_facet (trace, site,
+               facing (&sites[site[0]], &sites[site[1]], &sites[site[2]]),
+               ++trace->n_events);
+  }
   for (i = 0; i < 12; i++)
     trace->inserted[log->simplex[i / 3][i % 3]] = trace->n_events;
   trace->simplex_end = trace->n_events;
@@ -56,17 +60,40 @@ add_simplex (Trace *trace)
   trace->start_end = trace->n_events;
 }
 
+/* facing() of a cone facet, from what its ridge's tail and head are off the
+ * apex. */
+static inline Facing
+cone_facing (const Trace *trace,
+             const uint32_t site[3],
+             const Site *tail,
+             const Site *head)
+{
+  const Site *sites = trace->set->sites;
+  const double left = tail->x * head->y, right = tail->y * head->x;
+
+  if (orient_is_settled (left, right))
+    return left > right ? FACING_UPPER : FACING_LOWER;
+  return facing (&sites[site[0]], &sites[site[1]], &sites[site[2]]);
+}
+
 /* The facets on the horizon's ridges. */
 static void
 add_cone (Trace *trace, const LogRidge *ridge, uint32_t n, uint32_t apex)
 {
+  const Site *sites = trace->set->sites;
+  const Site at = sites[apex], *first = &sites[ridge[0].tail];
+  Site tail = { first->x - at.x, first->y - at.y };
   uint32_t i;
 
-  for (i = 0; i < n; i++)
-    add_facet (
-        trace,
-        (uint32_t[3]){ ridge[i].tail, ridge[i + 1 < n ? i + 1 : 0].tail, apex },
-        ++trace->n_events);
+  for (i = 0; i < n; i++) {
+    const uint32_t next = ridge[i + 1 < n ? i + 1 : 0].tail;
+    const Site head = { sites[next].x - at.x, sites[next].y - at.y };
+    const uint32_t site[3] = { ridge[i].tail, next, apex };
+
+    add_facet (trace, site, cone_facing (trace, site, &tail, &head),
+               ++trace->n_events);
+    tail = head;
+  }
 }
 
 static void

@@ -1,5 +1,5 @@
 /* Events, ridges and claims of a trace, told from its log. */
-#include "trace.h"
+#include "trace-ridges.h"
 
 #define NO_RIDGE                                                               \
   {                                                                            \
@@ -84,20 +84,6 @@ trace_event (const Trace *trace, uint32_t i)
   return event_of_round (trace, round, step);
 }
 
-/* The ridge on edge @k of a facet, which has another to the right. */
-static RidgeRow
-ridge_on (const Trace *trace, uint32_t facet, uint32_t k, uint32_t right)
-{
-  const FacetRow *row = &trace->facets[facet];
-  const uint32_t death = row->span.death;
-  const uint32_t right_death = trace->facets[right].span.death;
-
-  return (RidgeRow){ { row->site[k], row->site[k == 2 ? 0 : k + 1] },
-                     { facet, right },
-                     { facet < 4 ? trace->simplex_end : row->span.birth,
-                       death < right_death ? death : right_death } };
-}
-
 static bool
 has_edge (const FacetRow *row, uint32_t tail, uint32_t head)
 {
@@ -108,62 +94,61 @@ has_edge (const FacetRow *row, uint32_t tail, uint32_t head)
   return k < 3;
 }
 
-/* The four facets have six ridges: 3, 2 and 1, and the last one none. */
-static FacetRidges
-simplex_ridges (const Trace *trace, uint32_t facet)
+uint32_t
+trace_simplex_ridges (const Trace *trace, uint32_t facet, BornRidge born[3])
 {
-  static const uint32_t first[4] = { 0, 3, 5, 6 };
   const uint32_t *site = trace->facets[facet].site;
-  FacetRidges ridges = { .first = first[facet] };
-  uint32_t k, other;
+  uint32_t k, other, n = 0;
 
   for (k = 0; k < 3; k++)
     for (other = facet + 1; other < 4; other++)
       if (has_edge (&trace->facets[other], site[(k + 1) % 3], site[k]))
-        ridges.row[ridges.n++] = ridge_on (trace, facet, k, other);
-  return ridges;
+        born[n++] = (BornRidge){ k, other };
+  return n;
 }
 
-/* A cone facet has a ridge to the facet beyond the horizon; one to the facet
- * before it, unless it is the first; and the last has one to the first. */
-FacetRidges
-trace_facet_ridges (const Trace *trace, uint32_t facet)
+/* It dies with the first of its two facets. */
+static RidgeRow
+row_of (const Trace *trace, uint32_t facet, const BornRidge *ridge)
 {
-  const TraceLog *log = &trace->log;
-  FacetRidges ridges = { .n = 1 };
-  uint32_t round, first, end;
+  const FacetRow *row = &trace->facets[facet];
+  const uint32_t death = row->span.death;
+  const uint32_t right_death = trace->facets[ridge->right].span.death;
 
-  if (facet < 4)
-    return simplex_ridges (trace, facet);
-  round = trace->facets[facet].round - 1;
-  first = 4 + log->rounds[round].horizon;
-  end = 4 + trace_log_round_end (log, round).horizon;
-  ridges.first = facet == first ? 2 * facet - 2 : 2 * facet - 3;
-  ridges.row[0] = ridge_on (trace, facet, 0, log->horizon[facet - 4].beyond);
-  if (facet > first)
-    ridges.row[ridges.n++] = ridge_on (trace, facet, 2, facet - 1);
-  if (facet + 1 == end)
-    ridges.row[ridges.n++] = ridge_on (trace, facet, 1, first);
-  return ridges;
+  return (RidgeRow){ { row->site[ridge->k], row->site[(ridge->k + 1) % 3] },
+                     { facet, ridge->right },
+                     { facet < 4 ? trace->simplex_end : row->span.birth,
+                       death < right_death ? death : right_death } };
 }
 
-/* Ridges 6 and 7 would be those of facet 4 if every cone facet had two: the
- * first of a cone has one of them, the last has that of the first too. */
+/* Writes the ridge, if it was born with the facet. */
+static bool
+find_ridge (const Trace *trace, uint32_t ridge, uint32_t facet, RidgeRow *row)
+{
+  RidgeCursor cursor = RIDGE_CURSOR;
+  BornRidge born[3];
+  const uint32_t n = trace_born_ridges (trace, &cursor, facet, born);
+  const uint32_t i = ridge - trace_first_ridge (&cursor, facet);
+
+  if (i >= n)
+    return false;
+  *row = row_of (trace, facet, &born[i]);
+  return true;
+}
+
+/* Ridges 6 and 7 would be those of facet 4 if every cone facet had two; but of
+ * a cone the first has one, and the last has one more. */
 RidgeRow
 trace_ridge (const Trace *trace, uint32_t ridge)
 {
-  FacetRidges ridges;
-  uint32_t facet;
+  uint32_t facet = ridge / 2 + 1;
+  RidgeRow row = { 0 };
 
   if (ridge < 6)
     facet = ridge < 3 ? 0 : (ridge < 5 ? 1 : 2);
-  else
-    facet = ridge / 2 + 1;
-  ridges = trace_facet_ridges (trace, facet);
-  if (ridge < ridges.first + ridges.n)
-    return ridges.row[ridge - ridges.first];
-  ridges = trace_facet_ridges (trace, facet + 1);
-  return ridges.row[ridge - ridges.first];
+  if (!find_ridge (trace, ridge, facet, &row))
+    find_ridge (trace, ridge, facet + 1, &row);
+  return row;
 }
 
 /* The round whose claims a claim is one of; INDEX_NONE: those of the start. */

@@ -103,15 +103,6 @@ Event trace_event (const Trace *trace, uint32_t i);
 RidgeRow trace_ridge (const Trace *trace, uint32_t ridge);
 ClaimRow trace_claim (const Trace *trace, uint32_t claim);
 
-/* The ridges that were born with one facet. */
-typedef struct FacetRidges {
-  uint32_t first; /* number of the first */
-  uint32_t n;     /* 3 at most */
-  RidgeRow row[3];
-} FacetRidges;
-
-FacetRidges trace_facet_ridges (const Trace *trace, uint32_t facet);
-
 /* A site waits at a facet from the round of the facet's birth on: all claims
  * of the facet are among those of that round. */
 typedef struct ClaimRange {

@@ -3,31 +3,16 @@
 #include "exact.h"
 #include "memory.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* One coordinate of the circumcentre and a bound on its rounding error, from
- * the differences d, e of two corners to the corner at @origin. */
-typedef struct Rounded {
-  double value, doubt;
-} Rounded;
-
-static Rounded
-centre_coordinate (double origin, double plus, double minus, double area)
-{
-  const double offset = (plus - minus) / (2 * area);
-  const double spread = (fabs (plus) + fabs (minus)) / fabs (2 * area);
-
-  return (Rounded){ origin + offset, 8 * DBL_EPSILON * spread };
-}
-
-/* Whether the value is right to a few units in the last place. */
+/* Whether the coordinate @value is right to a few units in the last place: its
+ * rounding error is less than 8 DBL_EPSILON of @terms / |2 area|. */
 static bool
-is_settled (Rounded rounded)
+is_settled (double value, double terms, double area)
 {
-  return rounded.doubt <= 16 * DBL_EPSILON * fabs (rounded.value);
+  return terms <= 2 * fabs (value) * fabs (2 * area);
 }
 
 static Site
@@ -38,14 +23,17 @@ circumcentre (const Site *a, const Site *b, const Site *c)
   const double d = dx * dx + dy * dy, e = ex * ex + ey * ey;
   const double left = dx * ey, right = dy * ex;
   const double area = left - right;
-  const Rounded x = centre_coordinate (a->x, d * ey, e * dy, area);
-  const Rounded y = centre_coordinate (a->y, e * dx, d * ex, area);
+  const double x_plus = d * ey, x_minus = e * dy;
+  const double y_plus = e * dx, y_minus = d * ex;
+  const double x = a->x + (x_plus - x_minus) / (2 * area);
+  const double y = a->y + (y_plus - y_minus) / (2 * area);
 
   /* An area that cancels spoils all digits: only a stout triangle is
    * settled by doubles. */
-  if (fabs (area) >= 0.25 * (fabs (left) + fabs (right)) && is_settled (x)
-      && is_settled (y))
-    return (Site){ x.value, y.value };
+  if (fabs (area) >= 0.25 * (fabs (left) + fabs (right))
+      && is_settled (x, fabs (x_plus) + fabs (x_minus), area)
+      && is_settled (y, fabs (y_plus) + fabs (y_minus), area))
+    return (Site){ x, y };
   return exact_circumcentre (a, b, c);
 }
 
@@ -117,51 +105,68 @@ add_edge (Voronoi *voronoi, uint32_t edge)
   }
 }
 
-/* Lists the edges of each site by counting. */
-static void
-add_incident (Voronoi *voronoi)
+/* An edge of a site, and the site across it. */
+typedef struct Incident {
+  uint32_t edge, across;
+} Incident;
+
+/* Counts the edges of each site: start[s + 1] is where those of site s begin,
+ * and then where its next one goes. */
+static uint32_t *
+count_incident (const Voronoi *voronoi)
 {
   const uint32_t n = voronoi->delaunay->set->n_sites;
   uint32_t *start = memory_new ((size_t)n + 2, sizeof *start);
   uint32_t i;
 
-  /* start[s + 2] counts, then start[s + 1] is where site s's next goes. */
-  for (i = 0; i < 2 * voronoi->n_edges; i++)
-    start[voronoi->edges[i / 2].site[i % 2] + 2] += 1;
+  for (i = 0; i < voronoi->n_edges; i++) {
+    start[voronoi->edges[i].site[0] + 2] += 1;
+    start[voronoi->edges[i].site[1] + 2] += 1;
+  }
   for (i = 2; i < n + 2; i++)
     start[i] += start[i - 1];
-  voronoi->incident
-      = memory_new (2 * (size_t)voronoi->n_edges, sizeof (uint32_t));
-  for (i = 0; i < 2 * voronoi->n_edges; i++) {
-    uint32_t *next = &start[voronoi->edges[i / 2].site[i % 2] + 1];
-
-    voronoi->incident[*next] = i / 2;
-    *next += 1;
-  }
-  voronoi->start = start;
+  return start;
 }
 
-/* Lists them by the sites across: so it does not matter to what is drawn how
- * edges are numbered. */
+/* Lists the edges of each site by counting.
+ *
+ * Returns: the lists; free with free(). */
+static Incident *
+list_incident (Voronoi *voronoi)
+{
+  uint32_t *start = count_incident (voronoi);
+  Incident *incident
+      = memory_new (2 * (size_t)voronoi->n_edges, sizeof *incident);
+  uint32_t i;
+
+  for (i = 0; i < voronoi->n_edges; i++) {
+    const uint32_t *site = voronoi->edges[i].site;
+
+    incident[start[site[0] + 1]++] = (Incident){ i, site[1] };
+    incident[start[site[1] + 1]++] = (Incident){ i, site[0] };
+  }
+  voronoi->start = start;
+  return incident;
+}
+
+/* Sorts them by the sites across, by going through all sites and putting their
+ * edges into the lists of those across: so it does not matter to what is drawn
+ * how edges are numbered. */
 static void
-sort_incident (Voronoi *voronoi)
+add_incident (Voronoi *voronoi)
 {
   const uint32_t n = voronoi->delaunay->set->n_sites;
-  uint32_t *sorted = memory_new (2 * (size_t)voronoi->n_edges, sizeof *sorted);
+  Incident *incident = list_incident (voronoi);
   uint32_t *next = memory_new ((size_t)n + 1, sizeof *next);
-  uint32_t site, i;
+  uint32_t i;
 
   memcpy (next, voronoi->start, n * sizeof *next);
-  for (site = 0; site < n; site++)
-    for (i = voronoi->start[site]; i < voronoi->start[site + 1]; i++) {
-      const uint32_t edge = voronoi->incident[i];
-      const uint32_t *ends = voronoi->edges[edge].site;
-
-      sorted[next[ends[ends[0] == site]]++] = edge;
-    }
-  free (voronoi->incident);
+  voronoi->incident
+      = memory_new (2 * (size_t)voronoi->n_edges, sizeof *voronoi->incident);
+  for (i = 0; i < 2 * voronoi->n_edges; i++)
+    voronoi->incident[next[incident[i].across]++] = incident[i].edge;
+  free (incident);
   free (next);
-  voronoi->incident = sorted;
 }
 
 void
@@ -176,7 +181,6 @@ voronoi_init (Voronoi *voronoi, const Delaunay *delaunay)
   for (i = 0; i < delaunay->n_edges; i++)
     add_edge (voronoi, i);
   add_incident (voronoi);
-  sort_incident (voronoi);
 }
 
 void
