@@ -241,8 +241,8 @@ test_an_option_is_right_for_a_reason_in_words (void)
 {
   static const char *const reasons[]
       = { "“in” is right: s7 lies inside the hull in the plane.",
-          "“out” is wrong: it is not so that s7 lies outside the hull in the "
-          "plane.",
+          ("“out” is wrong: it is not so that s7 lies outside the hull in the "
+           "plane."),
           "“not in” is wrong: s7 lies inside the hull in the plane.",
           "“many” is right (facets of the hull: 12, sites: 8)." };
   static const char asked[]
