@@ -112,7 +112,8 @@ append_missed (GString *text, const GPtrArray *missed)
     append_line (text, more);
 }
 
-/* Of a law there is nothing that could be missed. */
+/* Of a law there is nothing that could be missed; sites for which it fails are
+ * in the pictures. */
 static char *
 law_text (const Exercise *exercise)
 {
@@ -121,8 +122,10 @@ law_text (const Exercise *exercise)
   g_autofree char *yes_or_no = question_item_text (
       exercise->question, (Object){ OBJECT_NONE, answer->is_found ? 1 : 0 });
   g_autofree char *reason
-      = answer_reason (exercise->question, &exercise->occasion,
-                       (Object){ OBJECT_NONE, 0 }, TRUE);
+      = answer->is_found
+            ? g_strdup (_ ("It fails for the sites that are shown."))
+            : answer_reason (exercise->question, &exercise->occasion,
+                             (Object){ OBJECT_NONE, 0 }, TRUE);
 
   return g_strdup_printf ("%s. %s", yes_or_no, reason);
 }
