@@ -1,10 +1,8 @@
 #include "canvas-work.h"
 
 static void
-work_free (gpointer data)
+work_free (CanvasWork *work)
 {
-  CanvasWork *work = data;
-
   canvas_scene_free (work->scene);
   showing_free (work->showing);
   picture_work_free (work->picture);
@@ -53,6 +51,7 @@ on_made (GObject *source, GAsyncResult *result, gpointer user)
   (void)source;
   if (!is_given_up (work))
     waiting->done (work, waiting->user);
+  work_free (work);
 }
 
 void
@@ -62,7 +61,7 @@ canvas_work_begin (CanvasWork *work, CanvasWorkDone done, gpointer user)
   g_autoptr (GTask) task = g_task_new (NULL, NULL, on_made, waiting);
 
   *waiting = (Waiting){ done, user };
-  g_task_set_task_data (task, work, work_free);
+  g_task_set_task_data (task, work, NULL);
   g_task_run_in_thread (task, make_picture);
 }
 

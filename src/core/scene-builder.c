@@ -255,6 +255,22 @@ scene_add_mark (SceneBuilder *builder,
   scene_add_point (builder, at);
 }
 
+/* As "%c%u": there are thousands of names. */
+static void
+write_name (char label[LABEL_ROOM], char letter, uint32_t number)
+{
+  char digits[16];
+  int n = 0, i = 0;
+
+  do
+    digits[n++] = (char)('0' + number % 10);
+  while ((number /= 10) > 0);
+  label[i++] = letter;
+  while (n > 0)
+    label[i++] = digits[--n];
+  label[i] = '\0';
+}
+
 const char *
 scene_label (SceneBuilder *builder, char letter, uint32_t number)
 {
@@ -265,7 +281,7 @@ scene_label (SceneBuilder *builder, char letter, uint32_t number)
       || scene->n_labels == scene->labels_room)
     return NULL;
   label = scene->labels[scene->n_labels++];
-  snprintf (label, sizeof *scene->labels, "%c%u", letter, number);
+  write_name (label, letter, number);
   return label;
 }
 

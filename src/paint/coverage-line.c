@@ -72,6 +72,27 @@ add_join (Coverage *coverage, Pixel at, Pixel before, Pixel after)
     add_slice (coverage, at, after, angle);
 }
 
+/* Whether all of a line lies above, below or right of what is painted: there
+ * it leaves nothing in any sum. */
+static bool
+is_beside (const Coverage *coverage,
+           const Pixel *pixels,
+           uint32_t n,
+           double reach)
+{
+  const PixelClip *clip = &coverage->clip;
+  double left = pixels[0].x, top = pixels[0].y, bottom = pixels[0].y;
+  uint32_t i;
+
+  for (i = 1; i < n; i++) {
+    left = pixels[i].x < left ? pixels[i].x : left;
+    top = pixels[i].y < top ? pixels[i].y : top;
+    bottom = pixels[i].y > bottom ? pixels[i].y : bottom;
+  }
+  return bottom + reach < clip->top || top - reach > clip->bottom
+         || left - reach > clip->right;
+}
+
 /* One dash, or all of a solid line. */
 static void
 add_dash (Coverage *coverage,
@@ -84,6 +105,8 @@ add_dash (Coverage *coverage,
   bool has_side = false;
   uint32_t i;
 
+  if (is_beside (coverage, pixels, n, half + 1))
+    return;
   for (i = 0; i + 1 < n; i++) {
     if (!side_of (pixels[i], pixels[i + 1], half, &side))
       continue;

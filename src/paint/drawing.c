@@ -25,6 +25,7 @@ drawing_free (Drawing *drawing)
   free (drawing->pixels);
   free (drawing->styles);
   free (drawing->placed);
+  free (drawing->sorts);
   free (drawing);
 }
 
@@ -43,6 +44,7 @@ drawing_begin (Drawing *drawing,
       = stock != NULL ? stock->edition : names_begin (drawing->names, theme);
   drawing->size = stock != NULL ? stock->size : 1;
   drawing->in_hand = (StrokePlace){ INDEX_NONE, 0, 0 };
+  drawing->key = 0;
 }
 
 uint32_t
@@ -83,6 +85,7 @@ stroke_begin (Drawing *drawing, StrokeKind kind, uint32_t style)
   stroke->style = style;
   stroke->first = drawing->n_pixels;
   stroke->place = drawing->in_hand;
+  stroke->key = drawing->key;
   stroke->fill = drawing->styles[style].fill;
   return stroke;
 }

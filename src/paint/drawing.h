@@ -45,7 +45,9 @@ typedef struct Stroke {
   uint32_t n_outer;  /* STROKE_REGION: pixels of the outer ring */
   PixelBox box;      /* nothing is painted outside it */
   StrokePlace place;
-  Colour fill; /* of polygons and regions, instead of the style's */
+  Colour fill;  /* of polygons and regions, instead of the style's */
+  uint64_t key; /* of all that it follows from but projection, theme and size;
+                   0: not known */
 } Stroke;
 
 /* A name in its place. */
@@ -66,12 +68,14 @@ typedef struct Drawing {
   uint32_t n_styles, styles_room;
   PlacedName *placed;
   uint32_t n_placed, placed_room;
-  Names *names;         /* borrowed; kept from one scene to the next */
-  uint32_t edition;     /* of the names; numbers of another one are void */
-  const Theme *theme;   /* borrowed */
-  double width, height; /* px */
-  double size;          /* of marks and lines; below 1 in a crowd */
-  StrokePlace in_hand;  /* of the strokes that are begun next */
+  Names *names;              /* borrowed; kept from one scene to the next */
+  uint32_t edition;          /* of the names; numbers of another one are void */
+  const Theme *theme;        /* borrowed */
+  double width, height;      /* px */
+  double size;               /* of marks and lines; below 1 in a crowd */
+  StrokePlace in_hand;       /* of the strokes that are begun next, */
+  uint64_t key;              /* and their key */
+  struct PainterSort *sorts; /* painter-style.c: which style is whose */
 } Drawing;
 
 Drawing *drawing_new (Names *names);

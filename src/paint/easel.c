@@ -17,8 +17,8 @@
 struct Easel {
   Names *names;
   Drawing *stocks[2];
-  SquareSums sums[2];    /* of the stocks … */
-  bool are_summed_up[2]; /* … when this is so */
+  Squares changed;       /* in which the two differ … */
+  bool is_changed_known; /* … when this is so; else in any */
   LitDrawing *lights[2];
   Drawing *merged;    /* what of both is painted */
   uint64_t edition;   /* of the scene's stock that is drawn as stocks[0] */
@@ -57,9 +57,9 @@ easel_free (Easel *easel)
     return;
   for (i = 0; i < 2; i++) {
     drawing_free (easel->stocks[i]);
-    square_sums_clear (&easel->sums[i]);
     lit_drawing_free (easel->lights[i]);
   }
+  squares_clear (&easel->changed);
   drawing_free (easel->merged);
   box_index_free (easel->boxes);
   underlay_free (easel->underlay);
@@ -88,18 +88,27 @@ is_same_sheet (const Easel *easel,
 }
 
 static void
-draw_stock (Easel *easel, const Scene *scene)
+init_squares (const Easel *easel, int side, Squares *squares)
+{
+  const SquareGrid grid = square_grid_of (
+      easel->projection.width, easel->projection.height, easel->scale, side);
+
+  squares_init (squares, &grid);
+}
+
+/* What stays as it is is not drawn anew. */
+static void
+draw_stock (Easel *easel, const Scene *scene, bool is_same_sheet)
 {
   Drawing *stock = easel->stocks[1];
-  const SquareSums sums = easel->sums[1];
 
   easel->stocks[1] = easel->stocks[0];
   easel->stocks[0] = stock;
-  easel->sums[1] = easel->sums[0];
-  easel->sums[0] = sums;
-  easel->are_summed_up[1] = easel->are_summed_up[0];
-  easel->are_summed_up[0] = false;
-  drawing_set_stock (stock, scene, &easel->projection, &easel->theme);
+  squares_clear (&easel->changed);
+  init_squares (easel, SQUARE, &easel->changed);
+  easel->is_changed_known = drawing_set_stock_again (
+      stock, is_same_sheet ? easel->stocks[1] : NULL, scene, &easel->projection,
+      &easel->theme, &easel->changed);
   easel->edition = scene->stock.edition;
   easel->are_boxes_set = false;
 }
@@ -188,27 +197,6 @@ paint_squares (Easel *easel, const Scene *scene, const Squares *squares)
   free (strokes);
 }
 
-static void
-init_squares (const Easel *easel, int side, Squares *squares)
-{
-  const SquareGrid grid = square_grid_of (
-      easel->stocks[0]->width, easel->stocks[0]->height, easel->scale, side);
-
-  squares_init (squares, &grid);
-}
-
-static void
-sum_up (Easel *easel, int i)
-{
-  const Drawing *stock = easel->stocks[i];
-  const SquareGrid grid
-      = square_grid_of (stock->width, stock->height, easel->scale, SQUARE);
-
-  if (!easel->are_summed_up[i])
-    square_sums_set (&easel->sums[i], &grid, stock);
-  easel->are_summed_up[i] = true;
-}
-
 /* Another stock is shown; what of it is lit is not kept. */
 static void
 begin_underlay (Easel *easel)
@@ -249,20 +237,15 @@ paint_all (Easel *easel, const Scene *scene, double scale)
 static cairo_region_t *
 paint_stock_changes (Easel *easel, const Scene *scene)
 {
-  cairo_region_t *region;
-  Squares squares;
+  Squares *squares = &easel->changed;
 
-  init_squares (easel, SQUARE, &squares);
-  sum_up (easel, 0);
-  sum_up (easel, 1);
-  square_sums_compare (&easel->sums[1], &easel->sums[0], &squares);
-  lit_drawing_compare (easel->lights[1], easel->lights[0], &squares);
-  squares_close (&squares);
-  paint_squares (easel, scene, &squares);
+  if (!easel->is_changed_known)
+    drawing_compare (easel->stocks[1], easel->stocks[0], squares);
+  lit_drawing_compare (easel->lights[1], easel->lights[0], squares);
+  squares_close (squares);
+  paint_squares (easel, scene, squares);
   begin_underlay (easel);
-  region = squares_region (&squares);
-  squares_clear (&squares);
-  return region;
+  return squares_region (squares);
 }
 
 static cairo_region_t *
@@ -315,7 +298,7 @@ easel_paint (Easel *easel,
   easel->theme = *theme;
   easel->projection = *projection;
   if (has_other_stock)
-    draw_stock (easel, scene);
+    draw_stock (easel, scene, is_same);
   draw_light (easel, scene, !has_other_stock);
   if (!is_same
       || (has_other_stock

@@ -97,12 +97,29 @@ spill (LabelSheet *sheet, double x, double y, unsigned char ink)
   *cell = MAX (*cell, ink);
 }
 
+/* Which of the places 0 … @n on a line from @from by @by have their coordinate
+ * between @low and @high; some others may be among them. */
+static void
+narrow (double from, double by, double low, double high, int n, int range[2])
+{
+  const double a = (low - from) / by * n, b = (high - from) / by * n;
+  const double first = floor (MIN (a, b)) - 1, last = ceil (MAX (a, b)) + 1;
+
+  /* A line that runs along has no such places, or all are. */
+  if (!isfinite (a) || !isfinite (b))
+    return;
+  range[0] = (int)CLAMP (first, range[0], n + 1);
+  range[1] = (int)CLAMP (last, -1, range[1]);
+}
+
 void
 label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px)
 {
   const unsigned char ink = width_px >= HEAVY_PX ? INK_HEAVY : INK_LINE;
+  const double left = sheet->left * CELL, top = sheet->top * CELL;
   Pixel cut[2] = { ends[0], ends[1] };
   double dx, dy;
+  int range[2];
   int i, n;
 
   if (!clip_to_rectangle ((Pixel){ 0, 0 },
@@ -111,7 +128,11 @@ label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px)
   dx = cut[1].x - cut[0].x;
   dy = cut[1].y - cut[0].y;
   n = (int)ceil (MAX (fabs (dx), fabs (dy)) / CELL) + 1;
-  for (i = 0; i <= n; i++)
+  range[0] = 0;
+  range[1] = n;
+  narrow (cut[0].x, dx, left, left + sheet->columns * CELL, n, range);
+  narrow (cut[0].y, dy, top, top + sheet->rows * CELL, n, range);
+  for (i = range[0]; i <= range[1]; i++)
     spill (sheet, cut[0].x + dx * i / n, cut[0].y + dy * i / n, ink);
 }
 

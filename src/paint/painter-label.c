@@ -187,6 +187,7 @@ add_ink_near (LabelSheet *sheet, const Drawing *drawing, const GArray *labels)
   const SquareGrid grid
       = square_grid_of (drawing->width, drawing->height, 1, NEAR_SQUARE);
   Squares squares;
+  PixelBox all;
   uint32_t i;
 
   squares_init (&squares, &grid);
@@ -195,8 +196,10 @@ add_ink_near (LabelSheet *sheet, const Drawing *drawing, const GArray *labels)
 
     squares_mark (&squares, &near);
   }
+  all = squares_extents (&squares);
   for (i = 0; i < drawing->n_strokes; i++)
-    if (squares_meet (&squares, &drawing->strokes[i].box))
+    if (boxes_meet (&drawing->strokes[i].box, &all)
+        && squares_meet (&squares, &drawing->strokes[i].box))
       add_ink (drawing, &drawing->strokes[i], sheet);
   squares_clear (&squares);
 }

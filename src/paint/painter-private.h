@@ -6,6 +6,7 @@
 #include "drawing.h"
 #include "label.h"
 #include "painter.h"
+#include "squares.h"
 
 /* Layers of paint: of each depth first surfaces and lines, then marks. */
 #define N_PAINT_LAYERS (2 * N_SCENE_DEPTHS)
@@ -40,7 +41,13 @@ typedef struct Painter {
   bool is_plain;      /* paints as if nothing were lit */
   SceneDepth depth;   /* of the items in hand */
   PainterSort *sorts; /* N_PAINTER_SORTS of them; NULL where few are painted */
-  Pixel *corners;     /* room for a polygon */
+  const Drawing *before; /* to take strokes from; or NULL */
+  uint32_t cursor;       /* the next stroke of it */
+  uint32_t first_new;    /* stroke of the item in hand */
+  Squares *changed;      /* where the two differ so far */
+  uint64_t last_key;     /* that strokes were looked for with … */
+  uint64_t n_same;       /* … so many times before this one */
+  Pixel *corners;        /* room for a polygon */
   uint32_t corners_room;
 } Painter;
 
@@ -66,6 +73,26 @@ uint32_t painter_number_style (Painter *painter, const SceneItem *item);
 /* Returns: the item's style as it is painted: thinner in a crowd, on the
  *          ground of space, and behind the hull. */
 Style painter_style (const Painter *painter, const SceneItem *item);
+
+/* Returns: the key of an item's strokes of a kind in the layer in hand. */
+uint64_t
+painter_key (const Painter *painter, const SceneItem *item, StrokeKind kind);
+
+/* Adds the strokes with a key as they were before.
+ *
+ * Returns: false: there are none; then those that are begun next have it, and
+ *          painter_note_new() is to be called after them. */
+bool painter_draw_again (Painter *painter, uint64_t key);
+void painter_note_new (Painter *painter);
+
+/* What comes before @layer, after all layers, was not there any more. */
+void painter_begin_layer (Painter *painter, uint32_t layer);
+void painter_compare_rest (Painter *painter);
+
+/* Begins with the styles of the drawing before, which the strokes will have.
+ *
+ * Returns: false: nothing can be taken from it. */
+bool painter_take_styles (Painter *painter);
 
 /* Adds the item's path, clipped, as strokes of a kind and style. */
 void painter_trace (Painter *painter,

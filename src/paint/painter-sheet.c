@@ -227,22 +227,26 @@ add_outline (Painter *painter, const SceneItem *rim, GArray *all)
   stroke_end (painter->drawing);
 }
 
-void
-painter_add_sheet (Painter *painter, const PaintOrder *order, bool is_near)
+/* The whole follows from its lines. */
+static uint64_t
+key_of (const Painter *painter, const PaintOrder *order)
 {
   const Scene *scene = painter->scene;
-  const SceneItem *rim = find_rim (scene, order);
+  uint64_t key = 0;
   uint32_t i;
 
-  if (rim == NULL)
-    return;
-  if (!is_near) {
-    g_autoptr (GArray) all = outline_of (painter, rim);
+  for (i = order->starts[SHEET_LAYER]; i < order->starts[SHEET_LAYER + 1]; i++)
+    key = (key << 7 | key >> 57)
+          ^ painter_key (painter, &scene->items[order->items[i]], STROKE_RING);
+  return key;
+}
 
-    fill_side (painter, rim, all, false);
-    fill_side (painter, rim, all, true);
-    add_outline (painter, rim, all);
-  }
+static void
+add_lines (Painter *painter, const PaintOrder *order, bool is_near)
+{
+  const Scene *scene = painter->scene;
+  uint32_t i;
+
   for (i = order->starts[SHEET_LAYER]; i < order->starts[SHEET_LAYER + 1];
        i++) {
     const SceneItem *item = &scene->items[order->items[i]];
@@ -254,4 +258,22 @@ painter_add_sheet (Painter *painter, const PaintOrder *order, bool is_near)
     trace_side (painter, item, drawing_add_style (painter->drawing, &style),
                 is_near);
   }
+}
+
+void
+painter_add_sheet (Painter *painter, const PaintOrder *order, bool is_near)
+{
+  const SceneItem *rim = find_rim (painter->scene, order);
+
+  if (rim == NULL || painter_draw_again (painter, key_of (painter, order)))
+    return;
+  if (!is_near) {
+    g_autoptr (GArray) all = outline_of (painter, rim);
+
+    fill_side (painter, rim, all, false);
+    fill_side (painter, rim, all, true);
+    add_outline (painter, rim, all);
+  }
+  add_lines (painter, order, is_near);
+  painter_note_new (painter);
 }

@@ -99,7 +99,8 @@ painter_style (const Painter *painter, const SceneItem *item)
   return style_as_lit (painter, &plain);
 }
 
-/* Items of one sort share a style, but for the hue of a cell. */
+/* Items of one sort share a style, but for the hue of a cell: its strokes have
+ * their own. */
 static uint32_t
 sort_of (const Painter *painter, const SceneItem *item)
 {
@@ -124,8 +125,11 @@ painter_number_style (Painter *painter, const SceneItem *item)
 
   if (known->sort != sort || known->fade < item->fade
       || known->fade > item->fade) {
-    const Style style = painter_style (painter, item);
+    SceneItem any = *item;
+    Style style;
 
+    any.hue = 0;
+    style = painter_style (painter, &any);
     known->sort = sort;
     known->style = drawing_add_style (painter->drawing, &style);
     known->fade = item->fade;

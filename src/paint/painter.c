@@ -7,6 +7,7 @@
 #include <glib.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Between the sites of a crowd; where there is less room, all is smaller. */
 #define ROOMY_PX 38.0
@@ -156,7 +157,11 @@ add_casings (Painter *painter, const PaintOrder *order, uint32_t first)
     if (!(painter->drawing->styles[style].casing > 0))
       break;
     take_in_hand (painter, order->items[i], order->items[first]);
+    if (painter_draw_again (painter,
+                            painter_key (painter, item, STROKE_CASING)))
+      continue;
     painter_trace (painter, item, STROKE_CASING, style);
+    painter_note_new (painter);
   }
   return i;
 }
@@ -189,6 +194,20 @@ add_mark (Painter *painter, const SceneItem *item)
   stroke_end (painter->drawing);
 }
 
+static void
+add_item (Painter *painter, const SceneItem *item)
+{
+  if (painter_draw_again (painter, painter_key (painter, item, STROKE_LINE)))
+    return;
+  if (item->shape == SHAPE_POLYGON)
+    add_polygon (painter, item);
+  else if (item->shape == SHAPE_PATH)
+    add_path (painter, item);
+  else
+    add_mark (painter, item);
+  painter_note_new (painter);
+}
+
 /* Adds the items of a layer. */
 static void
 add_layer (Painter *painter, const PaintOrder *order, uint32_t layer)
@@ -204,12 +223,7 @@ add_layer (Painter *painter, const PaintOrder *order, uint32_t layer)
     if (item->shape == SHAPE_PATH && i >= cased)
       cased = MAX (add_casings (painter, order, i), i + 1);
     take_in_hand (painter, number, number);
-    if (item->shape == SHAPE_POLYGON)
-      add_polygon (painter, item);
-    else if (item->shape == SHAPE_PATH)
-      add_path (painter, item);
-    else
-      add_mark (painter, item);
+    add_item (painter, item);
   }
 }
 
@@ -240,8 +254,12 @@ add_mat (Painter *painter)
     if (scene->items[i].pass != PASS_HULL
         || scene->items[i].shape != SHAPE_POLYGON)
       continue;
+    if (painter_draw_again (
+            painter, painter_key (painter, &scene->items[i], STROKE_REGION)))
+      continue;
     stroke_begin (painter->drawing, STROKE_POLYGON, style);
     add_corners (painter, &scene->items[i]);
+    painter_note_new (painter);
   }
 }
 
@@ -270,6 +288,7 @@ add_stock (Painter *painter)
   for (layer = 0; layer < N_PAINT_LAYERS; layer++) {
     const SceneDepth depth = paint_layer_depth (layer);
 
+    painter_begin_layer (painter, layer);
     add_bodies (painter, &order, layer);
     if (depth != DEPTH_SHEET_FAR && depth != DEPTH_SHEET_NEAR)
       add_layer (painter, &order, layer);
@@ -288,26 +307,45 @@ size_in_crowd (const Painter *painter)
   return CLAMP (sqrt (area / MAX (n_sites, 1)) / ROOMY_PX, SIZE_LEAST, 1);
 }
 
+bool
+drawing_set_stock_again (Drawing *drawing,
+                         const Drawing *before,
+                         const Scene *scene,
+                         const Projection *projection,
+                         const Theme *theme,
+                         Squares *changed)
+{
+  Painter painter = { .drawing = drawing,
+                      .scene = scene,
+                      .projection = projection,
+                      .theme = theme,
+                      .is_plain = true,
+                      .before = before,
+                      .changed = changed };
+
+  drawing_begin (drawing, projection, theme, NULL);
+  drawing->size = size_in_crowd (&painter);
+  if (drawing->sorts == NULL)
+    drawing->sorts = memory_new (N_PAINTER_SORTS, sizeof *drawing->sorts);
+  memset (drawing->sorts, 0, N_PAINTER_SORTS * sizeof *drawing->sorts);
+  painter.sorts = drawing->sorts;
+  if (!painter_take_styles (&painter))
+    painter.before = NULL;
+  add_stock (&painter);
+  if (scene->stock.n_labels > 0)
+    painter_add_names (&painter);
+  painter_compare_rest (&painter);
+  free (painter.corners);
+  return painter.before != NULL;
+}
+
 void
 drawing_set_stock (Drawing *drawing,
                    const Scene *scene,
                    const Projection *projection,
                    const Theme *theme)
 {
-  Painter painter = { .drawing = drawing,
-                      .scene = scene,
-                      .projection = projection,
-                      .theme = theme,
-                      .is_plain = true };
-
-  drawing_begin (drawing, projection, theme, NULL);
-  drawing->size = size_in_crowd (&painter);
-  painter.sorts = g_new0 (PainterSort, N_PAINTER_SORTS);
-  add_stock (&painter);
-  if (scene->stock.n_labels > 0)
-    painter_add_names (&painter);
-  g_free (painter.sorts);
-  free (painter.corners);
+  drawing_set_stock_again (drawing, NULL, scene, projection, theme, NULL);
 }
 
 static void

@@ -219,6 +219,7 @@ paint_all (Raster *raster, const Drawing *drawing)
 static uint32_t *
 strokes_in (const Drawing *drawing, const Squares *squares, uint32_t *n)
 {
+  const PixelBox all = squares_extents (squares);
   uint32_t *strokes;
   uint32_t i;
 
@@ -228,7 +229,8 @@ strokes_in (const Drawing *drawing, const Squares *squares, uint32_t *n)
   strokes = memory_new (drawing->n_strokes, sizeof *strokes);
   *n = 0;
   for (i = 0; i < drawing->n_strokes; i++)
-    if (squares_meet (squares, &drawing->strokes[i].box))
+    if (boxes_meet (&drawing->strokes[i].box, &all)
+        && squares_meet (squares, &drawing->strokes[i].box))
       strokes[(*n)++] = i;
   return strokes;
 }

@@ -196,23 +196,49 @@ square_sums_add_stroke (SquareSums *sums,
   tell_stroke (&listener, drawing, stroke);
 }
 
-void
-squares_close (Squares *squares)
+/* Returns: the number of those that are marked; right and bottom are in
+ *          @all. */
+static int
+reach_of_all (const Squares *squares, Reach *all)
 {
   const SquareGrid *grid = &squares->grid;
-  Reach all = { grid->columns, -1, grid->rows, -1 };
   int row, column, n = 0;
 
+  *all = (Reach){ grid->columns, -1, grid->rows, -1 };
   for (row = 0; row < grid->rows; row++)
     for (column = 0; column < grid->columns; column++) {
       if (!squares->is_marked[row * grid->columns + column])
         continue;
       n++;
-      all.left = column < all.left ? column : all.left;
-      all.right = column > all.right ? column : all.right;
-      all.top = row < all.top ? row : all.top;
-      all.bottom = row;
+      all->left = column < all->left ? column : all->left;
+      all->right = column > all->right ? column : all->right;
+      all->top = row < all->top ? row : all->top;
+      all->bottom = row;
     }
+  return n;
+}
+
+PixelBox
+squares_extents (const Squares *squares)
+{
+  const double side = 1 / squares->grid.per_px;
+  Reach all;
+
+  if (reach_of_all (squares, &all) == 0)
+    return (PixelBox){ -2e9F, -2e9F, -1e9F, -1e9F };
+  return (PixelBox){ (float)(all.left * side), (float)(all.top * side),
+                     (float)((all.right + 1) * side),
+                     (float)((all.bottom + 1) * side) };
+}
+
+void
+squares_close (Squares *squares)
+{
+  const SquareGrid *grid = &squares->grid;
+  Reach all;
+  const int n = reach_of_all (squares, &all);
+  int row, column;
+
   if ((all.right - all.left + 1) * (all.bottom - all.top + 1) > CLOSE_MOST * n)
     return;
   for (row = all.top; row <= all.bottom; row++)

@@ -36,6 +36,10 @@ void squares_mark_stroke (Squares *squares,
 /* Returns: whether a box meets any that is marked. */
 bool squares_meet (const Squares *squares, const PixelBox *box);
 
+/* Returns: a box round all that are marked, px, to find sooner what meets
+ *          none. */
+PixelBox squares_extents (const Squares *squares);
+
 /* Marks what lies between those that are marked, where that is not much more:
  * one rectangle is painted sooner than the many that it is made of. */
 void squares_close (Squares *squares);
@@ -66,6 +70,19 @@ void square_sums_compare (const SquareSums *before,
 /* The same of drawings that are not summed up yet. */
 void
 drawing_compare (const Drawing *before, const Drawing *after, Squares *squares);
+
+/* Draws the stock of @scene as drawing_set_stock() does, where @before may be
+ * much like it: the stock of another scene, in the same projection and theme.
+ * Items that look the same are not drawn anew, and @changed is marked where
+ * the two differ.
+ *
+ * Returns: false: they may differ anywhere. */
+bool drawing_set_stock_again (Drawing *drawing,
+                              const Drawing *before,
+                              const Scene *scene,
+                              const Projection *projection,
+                              const Theme *theme,
+                              Squares *changed);
 
 /* For drawing-diff.c: adds @mark to the sums of the squares that meet a box;
  * that a stroke is painted on. */

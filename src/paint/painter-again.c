@@ -1,0 +1,209 @@
+/* Drawing again what is as it was: from one step to the next most items look
+ * the same, and to copy their strokes is a few times cheaper than to make
+ * them. Both drawings list them in the same order, so that each is looked for
+ * a little ahead of the one before it. */
+#include "painter-private.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* So far ahead strokes are looked for, in strokes. */
+#define AHEAD 24
+
+/* Styles that nothing has any more are not taken out: then all is drawn. */
+#define MANY_STYLES 2000
+
+static uint64_t
+mix (uint64_t key, const void *bytes, size_t n_bytes)
+{
+  const unsigned char *at = bytes;
+  uint64_t word;
+
+  for (; n_bytes >= sizeof word; n_bytes -= sizeof word, at += sizeof word) {
+    memcpy (&word, at, sizeof word);
+    key = (key ^ word) * 0x9fb21c651e98df25U;
+    key ^= key >> 32;
+  }
+  return key;
+}
+
+uint64_t
+painter_key (const Painter *painter, const SceneItem *item, StrokeKind kind)
+{
+  const uint64_t numbers[3] = {
+    (uint64_t)item->role << 32 | (uint64_t)item->shape << 24
+        | (uint64_t)item->emphasis << 16 | (uint64_t)item->pass << 8
+        | (uint64_t)(item->object.kind == OBJECT_VERTEX),
+    (uint64_t)item->hue << 32 | item->n,
+    (uint64_t)painter->drawing->in_hand.layer << 8 | (uint64_t)kind,
+  };
+  const Point3 *points = &painter->scene->points[item->first];
+  uint64_t key = painter->scene->is_space ? 1 : 2;
+
+  key = mix (key, numbers, sizeof numbers);
+  key = mix (key, &item->fade, sizeof item->fade);
+  return mix (key, points, item->n * sizeof *points);
+}
+
+/* The strokes up to @end are not in the new drawing. */
+static void
+leave_out (Painter *painter, uint32_t end)
+{
+  const Drawing *before = painter->before;
+
+  for (; painter->cursor < end; painter->cursor++)
+    squares_mark_stroke (painter->changed, before,
+                         &before->strokes[painter->cursor]);
+}
+
+static uint32_t
+find (const Painter *painter, uint64_t key)
+{
+  const Drawing *before = painter->before;
+  uint32_t i, end = painter->cursor + AHEAD;
+
+  if (end > before->n_strokes)
+    end = before->n_strokes;
+  for (i = painter->cursor; i < end; i++)
+    if (before->strokes[i].key == key)
+      return i;
+  return INDEX_NONE;
+}
+
+static void
+copy_stroke (Painter *painter, const Stroke *stroke)
+{
+  Drawing *drawing = painter->drawing;
+  Stroke *copy = stroke_begin (drawing, stroke->kind, stroke->style);
+  const uint32_t first = copy->first;
+  uint32_t i;
+
+  *copy = *stroke;
+  copy->place = drawing->in_hand;
+  copy->first = first;
+  copy->n = 0;
+  for (i = 0; i < stroke->n; i++)
+    stroke_add (drawing, painter->before->pixels[stroke->first + i]);
+}
+
+/* Items that look all the same and follow each other have keys of their own,
+ * so that each has its own strokes. */
+static uint64_t
+own_key (Painter *painter, uint64_t key)
+{
+  painter->n_same = key == painter->last_key ? painter->n_same + 1 : 0;
+  painter->last_key = key;
+  return key + painter->n_same;
+}
+
+bool
+painter_draw_again (Painter *painter, uint64_t key)
+{
+  const Drawing *before = painter->before;
+  uint32_t i;
+
+  key = own_key (painter, key);
+  painter->drawing->key = key;
+  painter->first_new = painter->drawing->n_strokes;
+  if (before == NULL)
+    return false;
+  i = find (painter, key);
+  if (i == INDEX_NONE)
+    return false;
+  leave_out (painter, i);
+  for (; i < before->n_strokes && before->strokes[i].key == key; i++)
+    copy_stroke (painter, &before->strokes[i]);
+  painter->cursor = i;
+  return true;
+}
+
+void
+painter_note_new (Painter *painter)
+{
+  const Drawing *drawing = painter->drawing;
+  uint32_t i;
+
+  if (painter->before == NULL)
+    return;
+  for (i = painter->first_new; i < drawing->n_strokes; i++)
+    squares_mark_stroke (painter->changed, drawing, &drawing->strokes[i]);
+}
+
+void
+painter_begin_layer (Painter *painter, uint32_t layer)
+{
+  const Drawing *before = painter->before;
+  uint32_t end = painter->cursor;
+
+  if (before == NULL)
+    return;
+  while (end < before->n_strokes && before->strokes[end].place.layer < layer)
+    end++;
+  leave_out (painter, end);
+}
+
+/* Names are few: each is looked for among all that come after the last. */
+static uint32_t
+find_name (const Drawing *before, uint32_t from, const PlacedName *placed)
+{
+  uint32_t i;
+
+  for (i = from; i < before->n_placed && i < from + AHEAD; i++) {
+    const PlacedName *other = &before->placed[i];
+
+    if (other->name == placed->name
+        && memcmp (&other->at, &placed->at, sizeof other->at) == 0
+        && memcmp (&other->colour, &placed->colour, sizeof other->colour) == 0)
+      return i;
+  }
+  return INDEX_NONE;
+}
+
+static void
+compare_names (Painter *painter)
+{
+  const Drawing *before = painter->before, *drawing = painter->drawing;
+  uint32_t i, next = 0;
+
+  for (i = 0; i < drawing->n_placed; i++) {
+    const PlacedName *placed = &drawing->placed[i];
+    const uint32_t found = find_name (before, next, placed);
+
+    if (found == INDEX_NONE) {
+      squares_mark (painter->changed, &placed->box);
+      continue;
+    }
+    for (; next < found; next++)
+      squares_mark (painter->changed, &before->placed[next].box);
+    next++;
+  }
+  for (; next < before->n_placed; next++)
+    squares_mark (painter->changed, &before->placed[next].box);
+}
+
+void
+painter_compare_rest (Painter *painter)
+{
+  if (painter->before == NULL)
+    return;
+  leave_out (painter, painter->before->n_strokes);
+  compare_names (painter);
+}
+
+bool
+painter_take_styles (Painter *painter)
+{
+  const Drawing *before = painter->before;
+  Drawing *drawing = painter->drawing;
+  uint32_t i;
+
+  if (before == NULL || before->sorts == NULL || before->n_styles > MANY_STYLES
+      || before->size < drawing->size || before->size > drawing->size
+      || before->edition != drawing->edition)
+    return false;
+  for (i = 0; i < before->n_styles; i++)
+    drawing_add_style (drawing, &before->styles[i]);
+  memcpy (drawing->sorts, before->sorts,
+          N_PAINTER_SORTS * sizeof *drawing->sorts);
+  return true;
+}
