@@ -56,9 +56,11 @@ assert_same_hull (const Fixture *fixture, OrderKind kind)
   const SiteSet *set = fixture->set;
   Batch *batch = batch_build (set->sites, set->n_sites, &(Order){ kind, 5 },
                               BATCH_LOCAL);
-  g_autoptr (GHashTable) keys = facet_keys (set, batch);
+  g_autoptr (GHashTable) keys = NULL;
   uint32_t n_standing = 0;
 
+  batch_close (batch, set->sites, set->n_sites);
+  keys = facet_keys (set, batch);
   for (uint32_t i = 0; i < trace->n_facets; i++) {
     g_autofree char *key = facet_key (set, trace->facets[i].site);
 
@@ -151,11 +153,8 @@ test_avx2_makes_no_difference (void)
 
 /* Neighbours agree: the same edge the other way, and back again. */
 static void
-check_neighbours (const Fixture *fixture)
+assert_neighbours_agree (const Batch *batch)
 {
-  Batch *batch = batch_build (fixture->set->sites, fixture->set->n_sites,
-                              &(Order){ ORDER_HILBERT, 0 }, BATCH_LOCAL);
-
   for (uint32_t edge = 0; edge < batch->n_facets * 4; edge++) {
     const HullFacet *row = &batch->facets[edge / 4];
     const HullFacet *other;
@@ -171,6 +170,17 @@ check_neighbours (const Fixture *fixture)
     g_assert_cmpuint (other->site[(across % 4 + 1) % 3], ==,
                       row->site[edge % 4]);
   }
+}
+
+static void
+check_neighbours (const Fixture *fixture)
+{
+  Batch *batch = batch_build (fixture->set->sites, fixture->set->n_sites,
+                              &(Order){ ORDER_HILBERT, 0 }, BATCH_LOCAL);
+
+  assert_neighbours_agree (batch);
+  batch_close (batch, fixture->set->sites, fixture->set->n_sites);
+  assert_neighbours_agree (batch);
   batch_free (batch);
 }
 
@@ -178,6 +188,67 @@ static void
 test_neighbours_agree (void)
 {
   fixture_for_each (2, 60, ORDER_FURTHEST, check_neighbours);
+}
+
+/* Sites on a circle but for rounding, where hardly a sign in space is beyond
+ * doubt; and two whose upper hull is flat: one facet, and several on one
+ * circle.
+ */
+static void
+test_doubtful_and_flat_upper_hulls_are_certified (void)
+{
+  enum { N = 2000 };
+  const Site triangle[] = { { 0, 0 }, { 8, 0 }, { 0, 8 }, { 1, 2 }, { 3, 2 } };
+  const Site square[]
+      = { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 }, { 1, 2 }, { 2, 1 } };
+  Site circle[N];
+  SiteSet *sets[3];
+
+  for (uint32_t i = 0; i < N; i++) {
+    const double angle = 2 * G_PI * i / N;
+
+    circle[i] = (Site){ cos (angle), sin (angle) };
+  }
+  sets[0] = site_set_new (circle, N);
+  sets[1] = site_set_new (triangle, G_N_ELEMENTS (triangle));
+  sets[2] = site_set_new (square, G_N_ELEMENTS (square));
+  for (uint32_t i = 0; i < G_N_ELEMENTS (sets); i++) {
+    certify_every_order (sets[i],
+                         (const char *[]){ "circle", "triangle", "square" }[i]);
+    site_set_free (sets[i]);
+  }
+}
+
+static uint32_t
+count_unbounded (const Batch *batch)
+{
+  uint32_t n = 0;
+
+  for (uint32_t i = 0; i < batch->n_facets; i++)
+    for (uint32_t k = 0; k < 3; k++)
+      n += batch->facets[i].site[k] == INDEX_NONE;
+  return n;
+}
+
+static void
+test_the_lower_hull_is_closed_by_infinity (void)
+{
+  const Site sites[] = { { 0, 0 }, { 8, 1 }, { 9, 7 }, { 4, 10 }, { -1, 6 },
+                         { 2, 3 }, { 5, 4 }, { 3, 7 }, { 6, 6 },  { 2, 3 } };
+  enum { N = G_N_ELEMENTS (sites), N_DISTINCT = N - 1 };
+
+  for (OrderKind kind = ORDER_FURTHEST; kind < N_ORDERS; kind++) {
+    Batch *batch = batch_build (sites, N, &(Order){ kind, 1 }, BATCH_LOCAL);
+
+    g_assert_false (batch->is_whole);
+    g_assert_cmpuint (batch->n_facets, ==, 2 * (N_DISTINCT + 1) - 4);
+    g_assert_cmpuint (count_unbounded (batch), ==, 5);
+    batch_close (batch, sites, N);
+    g_assert_true (batch->is_whole);
+    g_assert_cmpuint (batch->n_facets, ==, 2 * N_DISTINCT - 4);
+    g_assert_cmpuint (count_unbounded (batch), ==, 0);
+    batch_free (batch);
+  }
 }
 
 static void
@@ -194,18 +265,39 @@ test_flat_input_has_no_facet (void)
     }
 }
 
+static uint64_t
+count_created (const SiteSet *set, BatchTurn turn)
+{
+  Batch *batch = batch_build (set->sites, set->n_sites,
+                              &(Order){ ORDER_INPUT, 0 }, turn);
+  const uint64_t n_created = batch->counts.facets_created;
+
+  g_assert_cmpuint (batch->counts.visibility_tests, >=, n_created);
+  batch_free (batch);
+  return n_created;
+}
+
+/* Inside three sites a round makes lower facets alone. The fourth site makes a
+ * simplex of four; with a site at infinity three more than the simplex. */
 static void
 test_events_and_batch_create_the_same_facets (void)
 {
-  g_autoptr (Fixture) fixture
-      = fixture_new (FAMILY_RANDOM, 3, 500, ORDER_INPUT);
-  Batch *batch = batch_build (fixture->set->sites, fixture->set->n_sites,
-                              &(Order){ ORDER_INPUT, 0 }, BATCH_LOCAL);
+  g_autoptr (Fixture) random = fixture_new (FAMILY_RANDOM, 3, 500, ORDER_INPUT);
+  const uint32_t n = random->set->n_sites + 3;
+  g_autofree Site *sites = g_new (Site, n);
+  SiteSet *inside;
+  Trace *trace;
 
-  g_assert_cmpuint (batch->counts.facets_created, ==, fixture->trace->n_facets);
-  g_assert_cmpuint (batch->counts.visibility_tests, >=,
-                    fixture->trace->n_facets);
-  batch_free (batch);
+  memcpy (sites, (Site[]){ { -9e9, -9e9 }, { 9e9, -9e9 }, { 0, 9e9 } },
+          3 * sizeof *sites);
+  memcpy (sites + 3, random->set->sites, (n - 3) * sizeof *sites);
+  inside = site_set_new (sites, n);
+  trace = trace_record (inside, &(Order){ ORDER_INPUT, 0 });
+  g_assert_cmpuint (count_created (inside, BATCH_OLDEST), ==, trace->n_facets);
+  g_assert_cmpuint (count_created (inside, BATCH_LOCAL), ==,
+                    trace->n_facets + 3);
+  trace_free (trace);
+  site_set_free (inside);
 }
 
 /* On a grid of 2^k × 2^k the curve goes from each node to a neighbour. */
@@ -258,6 +350,10 @@ main (int argc, char **argv)
   g_test_add_func ("/batch/avx2-makes-no-difference",
                    test_avx2_makes_no_difference);
   g_test_add_func ("/batch/neighbours-agree", test_neighbours_agree);
+  g_test_add_func ("/batch/doubtful-and-flat-upper-hulls-are-certified",
+                   test_doubtful_and_flat_upper_hulls_are_certified);
+  g_test_add_func ("/batch/the-lower-hull-is-closed-by-facets-to-infinity",
+                   test_the_lower_hull_is_closed_by_infinity);
   g_test_add_func ("/batch/flat-input-has-no-facet",
                    test_flat_input_has_no_facet);
   g_test_add_func ("/batch/with-and-without-events-the-same-facets-are-made",

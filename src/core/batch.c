@@ -43,6 +43,8 @@ swap_places (Arrangement *arrangement, uint32_t i, uint32_t k)
   arrangement->names[k] = name;
 }
 
+#define N_EXTREMES 4
+
 /* Puts the leftmost, rightmost, lowest and highest sites first, where the
  * first simplex is looked for: a wide one leaves few sites outside the hull
  * in the plane. */
@@ -50,7 +52,7 @@ static void
 put_extremes_first (Arrangement *arrangement, uint32_t n)
 {
   const Site *sites = arrangement->sites;
-  uint32_t extreme[4] = { 0, 0, 0, 0 };
+  uint32_t extreme[N_EXTREMES] = { 0, 0, 0, 0 };
   uint32_t i, k;
 
   for (i = 1; i < n; i++) {
@@ -63,10 +65,10 @@ put_extremes_first (Arrangement *arrangement, uint32_t n)
     if (sites[i].y > sites[extreme[3]].y)
       extreme[3] = i;
   }
-  for (k = 0; k < 4; k++) {
+  for (k = 0; k < N_EXTREMES; k++) {
     swap_places (arrangement, k, extreme[k]);
     /* What was at k is now where the extreme was. */
-    for (i = k + 1; i < 4; i++)
+    for (i = k + 1; i < N_EXTREMES; i++)
       if (extreme[i] == k)
         extreme[i] = extreme[k];
       else if (extreme[i] == extreme[k])
@@ -108,8 +110,11 @@ name_sites (HullBuilder *b, const uint32_t *names)
   uint32_t facet, k;
 
   for (facet = 0; facet < b->n_facets; facet++)
-    for (k = 0; k < 3; k++)
-      b->facets[facet].site[k] = names[b->facets[facet].site[k]];
+    for (k = 0; k < 3; k++) {
+      uint32_t *site = &b->facets[facet].site[k];
+
+      *site = *site < b->n_sites ? names[*site] : INDEX_NONE;
+    }
 }
 
 /* Measured, ns a site and facets a site at 100 000 uniform ones: 8 421 and 6.8,
@@ -138,6 +143,25 @@ run (HullBuilder *b, BatchTurn turn)
   return batch_hull_run (b);
 }
 
+/* How sites are chosen and located. Locally, QuickHull begins with the hull of
+ * the extremes, and all other sites are walked to: they lie beside each other,
+ * and no lift is asked for. */
+static void
+set_order (HullBuilder *b,
+           const Arrangement *arrangement,
+           OrderKind kind,
+           BatchTurn turn)
+{
+  const bool begins_with_extremes
+      = kind == ORDER_FURTHEST && turn == BATCH_LOCAL;
+
+  b->list = arrangement->list;
+  b->n_listed = begins_with_extremes ? N_EXTREMES : arrangement->n_listed;
+  b->walks
+      = kind == ORDER_HILBERT || kind == ORDER_SEEDED || begins_with_extremes;
+  b->n_young_max = turn == BATCH_LOCAL ? N_YOUNG_MAX : UINT32_MAX;
+}
+
 Batch *
 batch_build (const Site *sites,
              uint32_t n_sites,
@@ -152,17 +176,15 @@ batch_build (const Site *sites,
     return batch;
   arrange (&arrangement, sites, n_sites, order);
   b.sites = arrangement.sites;
-  b.list = arrangement.list;
-  b.n_listed = arrangement.n_listed;
-  b.walks = order->kind == ORDER_HILBERT || order->kind == ORDER_SEEDED;
-  b.n_young_max = turn == BATCH_LOCAL ? N_YOUNG_MAX : UINT32_MAX;
-  /* n vertices make 2n - 4 facets. */
+  set_order (&b, &arrangement, order->kind, turn);
+  /* n vertices make 2n - 4 facets; one more may be at infinity. */
   b.facets = memory_grow (NULL, &b.facets_room, 2 * n_sites, sizeof *b.facets);
   memory_use_large_pages (b.facets, b.facets_room * sizeof *b.facets);
   run (&b, turn);
   name_sites (&b, arrangement.names);
   batch->facets = b.facets;
   batch->n_facets = b.n_facets;
+  batch->is_whole = turn == BATCH_OLDEST;
   batch->counts = b.counts;
   hull_clear (&b);
   free (arrangement.sites);

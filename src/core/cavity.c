@@ -50,17 +50,33 @@ add_visible (HullBuilder *b, uint32_t facet)
 static inline Offset
 offset_to (const HullBuilder *b, uint32_t site, const Site *apex)
 {
+  if (hull_is_infinite (b, site))
+    return (Offset){ 0, 0, b->height };
   return offset_of (&b->sites[site], apex);
 }
 
-static bool __attribute__ ((noinline, cold))
-sees_exactly (const HullBuilder *b, uint32_t facet, uint32_t apex)
+static inline double
+larger (double a, double b)
 {
-  const uint32_t *corner = b->facets[facet].site;
+  return a > b ? a : b;
+}
 
-  return lift_orient (&b->sites[corner[0]], &b->sites[corner[1]],
-                      &b->sites[corner[2]], &b->sites[apex])
-         > 0;
+/* The corners of the first visible facet. The height of the site at infinity
+ * is free; for the filters' sake it is a squared distance like others. */
+static inline void
+first_corners (HullBuilder *b,
+               const uint32_t corner[3],
+               const Site *apex,
+               Offset at[3])
+{
+  b->height = 0;
+  at[0] = offset_to (b, corner[0], apex);
+  at[1] = offset_to (b, corner[1], apex);
+  at[2] = offset_to (b, corner[2], apex);
+  b->height = larger (larger (at[0].square, at[1].square), at[2].square);
+  at[0].square = at[0].square > 0 ? at[0].square : b->height;
+  at[1].square = at[1].square > 0 ? at[1].square : b->height;
+  at[2].square = at[2].square > 0 ? at[2].square : b->height;
 }
 
 /* Whether the apex sees the facet that has a site in front of the plane on a
@@ -81,24 +97,25 @@ is_visible (const HullBuilder *b,
 
   if (fabs (front) > doubt || b->is_whole)
     return front > 0;
-  return sees_exactly (b, facet, apex);
+  return hull_sees_exactly (b, apex, facet);
 }
 
 void
 horizon_collect_visible (HullBuilder *b, uint32_t facet, uint32_t apex)
 {
   const Site at = b->sites[apex];
-  const uint32_t *corner = b->facets[facet].site;
-  Offset tail = offset_to (b, corner[0], &at);
-  Offset head = offset_to (b, corner[1], &at);
+  Offset corner[3], tail, head;
   HullEdge edge = facet << 2;
   uint32_t n_pending = 2, n_horizon = 0, n_tests = 0;
 
+  first_corners (b, b->facets[facet].site, &at, corner);
+  tail = corner[0];
+  head = corner[1];
   b->n_visible = 0;
   b->n_orphans = 0;
   add_visible (b, facet);
   b->pending[0] = (PendingEdge){ tail, edge + 2 };
-  b->pending[1] = (PendingEdge){ offset_to (b, corner[2], &at), edge + 1 };
+  b->pending[1] = (PendingEdge){ corner[2], edge + 1 };
   for (;;) {
     const HullFacet *row = &b->facets[edge >> 2];
     const HullEdge beyond = row->across[edge & 3];

@@ -66,14 +66,22 @@ cone_front (const ConePlane *plane, const Offset *at)
          - plane->normal_y * at->y;
 }
 
+static inline ConePlane
+cone_block_plane (const ConeBlock *block, uint32_t lane)
+{
+  return (ConePlane){ block->area[lane], block->normal_x[lane],
+                      block->normal_y[lane] };
+}
+
 /* Writes the determinants of a site.
  *
- * Returns: a bit for each lane that is not below -@doubt: a facet that the
- *          site may see. */
+ * Returns: a bit for each lane that is not below @least: with what rounding may
+ *          have taken, a facet that the site sees; with less than nothing, one
+ *          that it may see. */
 static inline uint32_t
 cone_fronts (const ConeBlock *block,
              const Offset *at,
-             double doubt,
+             double least,
              double front[CONE_LANES])
 {
   uint32_t seen = 0;
@@ -82,7 +90,7 @@ cone_fronts (const ConeBlock *block,
 #ifdef __AVX2__
   const __m256d x = _mm256_set1_pd (at->x), y = _mm256_set1_pd (at->y);
   const __m256d square = _mm256_set1_pd (at->square);
-  const __m256d least = _mm256_set1_pd (-doubt);
+  const __m256d bound = _mm256_set1_pd (least);
 
   for (lane = 0; lane < CONE_LANES; lane += 4) {
     const __m256d lift
@@ -95,7 +103,7 @@ cone_fronts (const ConeBlock *block,
 
     _mm256_storeu_pd (&front[lane], four);
     seen |= (uint32_t)_mm256_movemask_pd (
-                _mm256_cmp_pd (four, least, _CMP_GE_OQ))
+                _mm256_cmp_pd (four, bound, _CMP_GE_OQ))
             << lane;
   }
 #else
@@ -103,7 +111,7 @@ cone_fronts (const ConeBlock *block,
     front[lane] = block->area[lane] * at->square - block->normal_x[lane] * at->x
                   - block->normal_y[lane] * at->y;
   for (lane = 0; lane < CONE_LANES; lane++)
-    seen |= (uint32_t)(front[lane] >= -doubt) << lane;
+    seen |= (uint32_t)(front[lane] >= least) << lane;
 #endif
   return seen;
 }

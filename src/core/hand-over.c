@@ -1,6 +1,11 @@
 /* The hand-over: each site that waited at a retired facet goes to one cone
  * facet that it sees. All cone facets share the apex, so seen from there the
- * determinant of each is a short sum (cone.h). */
+ * determinant of each is a short sum (cone.h).
+ *
+ * Where the choice is told, it is the first facet that the site sees, exactly,
+ * and the furthest site heads a set, exactly. With HULL_LOWER it is the first
+ * that rounding leaves no doubt of, and the head is the furthest as rounded:
+ * a site may wait at any facet that it sees, and no hull depends on it. */
 #include "cone-four.h"
 #include "hull-builder.h"
 #include "memory.h"
@@ -52,7 +57,8 @@ begin_sets (HullBuilder *b)
 }
 
 /* Each of a determinant's three terms is off by less than 12 half ulps of its
- * greatest value, where |area| <= 2 reach² and |normal| <= 4 reach³. */
+ * greatest value, where |area| <= 2 reach² and |normal| <= 4 reach³. The height
+ * of the site at infinity is within reach², so that this holds for it, too. */
 static View
 view_from (const HullBuilder *b, uint32_t apex)
 {
@@ -71,6 +77,12 @@ view_from (const HullBuilder *b, uint32_t apex)
                  .offset_doubt = 4 * unit * reach };
 }
 
+static inline double
+greater (double a, double b)
+{
+  return a > b ? a : b;
+}
+
 /* Whether a site lies further from cone facet @i than the head of its set, when
  * rounding leaves that open: exactly, and then what is known of the head. */
 static bool __attribute__ ((noinline, cold))
@@ -86,16 +98,23 @@ leads_exactly (const HullBuilder *b, uint32_t site, uint32_t i, Rounded front)
   return leads;
 }
 
-static bool __attribute__ ((noinline, cold))
-sees_exactly (const HullBuilder *b, uint32_t site, uint32_t i)
+/* Whether a site is to head @set, that of cone facet @i. */
+static inline bool
+leads (const HullBuilder *b,
+       ConeSet *set,
+       uint32_t site,
+       uint32_t i,
+       Rounded front)
 {
-  const uint32_t *corner = b->facets[hull_cone_facet (b, i)].site;
+  Rounded *furthest = &set->furthest;
+  const double lead = front.value - furthest->value;
 
-  if (b->is_whole)
-    return false;
-  return lift_orient (&b->sites[corner[0]], &b->sites[corner[1]],
-                      &b->sites[corner[2]], &b->sites[site])
-         > 0;
+  if (!HULL_IS_LOWER && fabs (lead) <= front.doubt + furthest->doubt)
+    return leads_exactly (b, site, i, front);
+  furthest->value = greater (front.value, furthest->value);
+  if (!HULL_IS_LOWER)
+    furthest->doubt = greater (front.doubt, furthest->doubt);
+  return lead > 0;
 }
 
 /* Puts a site that sees cone facet @i into its outside set, which the furthest
@@ -108,20 +127,9 @@ claim (const HullBuilder *b,
        Rounded front)
 {
   ConeSet *set = &view->sets[i];
-  Rounded *furthest = &set->furthest;
-  const double lead = front.value - furthest->value;
-  bool leads = front.value > furthest->value;
-  uint32_t swap;
+  const bool is_furthest = leads (b, set, site, i, front);
+  const uint32_t swap = (site ^ set->head) & -(uint32_t)is_furthest;
 
-  if (fabs (lead) <= front.doubt + furthest->doubt) {
-    leads = leads_exactly (b, site, i, front);
-  } else {
-    furthest->value
-        = front.value > furthest->value ? front.value : furthest->value;
-    furthest->doubt
-        = front.doubt > furthest->doubt ? front.doubt : furthest->doubt;
-  }
-  swap = (site ^ set->head) & -(uint32_t)leads;
   set->head ^= swap;
   view->next_outside[site ^ swap] = set->others;
   set->others = site ^ swap;
@@ -130,23 +138,113 @@ claim (const HullBuilder *b,
   hull_tell (b, EVENT (EVENT_CLAIM, hull_cone_facet (b, i), site));
 }
 
-/* Gives the site to the first cone facet that it sees. Every lift is extreme,
- * so only a site that equals the apex sees none: it is done.
+static inline double
+doubt_at (const View *view, const Offset *at)
+{
+  return view->square_doubt * at->square
+         + view->offset_doubt * (fabs (at->x) + fabs (at->y)) + DBL_MIN;
+}
+
+static inline double
+front_at (const View *view, uint32_t i, const Offset *at)
+{
+  const ConePlane plane
+      = cone_block_plane (&view->cone[i / CONE_LANES], i % CONE_LANES);
+
+  return cone_front (&plane, at);
+}
+
+/* Every lift is extreme, so only a site that equals the apex sees no facet of
+ * the cone: it is done.
+ *
+ * Returns: false, for it is not to be inserted. */
+static inline bool
+drop (const View *view, uint32_t site, const Offset *at)
+{
+  (void)at;
+  assert (at->square == 0);
+  if (view->claimed_by != NULL)
+    view->claimed_by[site] = INDEX_NONE;
+  return false;
+}
+
+/* Returns: a cone facet that the site sees, of those that reach to infinity or
+ *          of the others, or their number when there is none. */
+static uint32_t
+find_seen (const HullBuilder *b, uint32_t site, bool is_unbounded)
+{
+  uint32_t i;
+
+  for (i = 0; i < b->n_horizon; i++) {
+    const uint32_t facet = hull_cone_facet (b, i);
+
+    if (hull_is_unbounded (b, facet) == is_unbounded
+        && hull_sees_exactly (b, site, facet))
+      break;
+  }
+  return i;
+}
+
+/* The same where rounding leaves all in doubt. Where all lifts nearly lie in
+ * one plane, every site outside the hull in the plane is such a site, and waits
+ * where a sign in the plane says so. */
+static uint32_t __attribute__ ((noinline, cold))
+find_seen_exactly (const HullBuilder *b, uint32_t site)
+{
+  const uint32_t i = find_seen (b, site, true);
+
+  return i < b->n_horizon ? i : find_seen (b, site, false);
+}
+
+/* Gives the site to a cone facet that it sees.
  *
  * Returns: whether it is still to be inserted. */
 static inline bool
-hand_over_one (const HullBuilder *b, const View *view, uint32_t site)
+hand_over_to_any (const HullBuilder *b, const View *view, uint32_t site)
 {
   const Offset at = offset_of (&view->sites[site], &view->apex);
-  const double doubt = view->square_doubt * at.square
-                       + view->offset_doubt * (fabs (at.x) + fabs (at.y))
-                       + DBL_MIN;
+  const double doubt = doubt_at (view, &at);
+  double front[CONE_LANES];
+  uint32_t first;
+
+  for (first = 0; first < view->n_facets; first += CONE_LANES) {
+    const uint32_t seen
+        = cone_fronts (&view->cone[first / CONE_LANES], &at, doubt, front);
+
+    if (seen != 0) {
+      const uint32_t lane = (uint32_t)__builtin_ctz (seen);
+
+      claim (b, view, site, first + lane, (Rounded){ front[lane], doubt });
+      return true;
+    }
+  }
+  first = at.square == 0 ? view->n_facets : find_seen_exactly (b, site);
+  if (first == view->n_facets)
+    return drop (view, site, &at);
+  claim (b, view, site, first, (Rounded){ front_at (view, first, &at), doubt });
+  return true;
+}
+
+static bool __attribute__ ((noinline, cold))
+sees_exactly (const HullBuilder *b, uint32_t site, uint32_t i)
+{
+  return !b->is_whole && hull_sees_exactly (b, site, hull_cone_facet (b, i));
+}
+
+/* Gives the site to the first cone facet that it sees.
+ *
+ * Returns: whether it is still to be inserted. */
+static inline bool
+hand_over_to_first (const HullBuilder *b, const View *view, uint32_t site)
+{
+  const Offset at = offset_of (&view->sites[site], &view->apex);
+  const double doubt = doubt_at (view, &at);
   double front[CONE_LANES];
   uint32_t first;
 
   for (first = 0; first < view->n_facets; first += CONE_LANES) {
     const ConeBlock *block = &view->cone[first / CONE_LANES];
-    uint32_t seen = cone_fronts (block, &at, doubt, front);
+    uint32_t seen = cone_fronts (block, &at, -doubt, front);
 
     for (; seen != 0; seen &= seen - 1) {
       const uint32_t lane = (uint32_t)__builtin_ctz (seen), i = first + lane;
@@ -158,10 +256,7 @@ hand_over_one (const HullBuilder *b, const View *view, uint32_t site)
       }
     }
   }
-  assert (at.square == 0);
-  if (view->claimed_by != NULL)
-    view->claimed_by[site] = INDEX_NONE;
-  return false;
+  return drop (view, site, &at);
 }
 
 /* Lets the facets of the cone have what waits at them. */
@@ -234,7 +329,7 @@ hand_over_many (const HullBuilder *b, const View *view, ConeOrphans *orphans)
       claim (b, view, site, i, front);
       n_claims += 1;
     } else {
-      n_claims += hand_over_one (b, view, site);
+      n_claims += hand_over_to_first (b, view, site);
     }
   }
   orphans->n = 0;
@@ -274,7 +369,8 @@ hand_over_all (const HullBuilder *b, const View *view, uint32_t apex)
     for (site = b->orphans[i]; site != end; site = next) {
       next = view->next_outside[site];
       if (site != apex)
-        n_claims += hand_over_one (b, view, site);
+        n_claims += HULL_IS_LOWER ? hand_over_to_any (b, view, site)
+                                  : hand_over_to_first (b, view, site);
     }
   return n_claims;
 }

@@ -7,7 +7,13 @@
  * retire, so that only the hull is kept; and listed sites may be located by
  * walking. With HULL_RECORD they write a log instead of calling a hook. All
  * come a second time for processors with AVX2. HULL_PREFIX tells the builds
- * apart. */
+ * apart.
+ *
+ * With HULL_LOWER they build the lower hull alone, closed by facets to a site
+ * at infinity, straight above, whose number is n_sites. It is one more point
+ * in convex position, and all else is as before; but which of those facets a
+ * site sees is a question of the plane, which a filter nearly always settles.
+ * So is where sites wait that lie on one circle but for rounding. */
 #ifndef HULL_BUILDER_H
 #define HULL_BUILDER_H
 
@@ -21,6 +27,12 @@
 
 #include <stddef.h>
 
+#ifdef HULL_LOWER
+enum { HULL_IS_LOWER = 1 };
+#else
+enum { HULL_IS_LOWER = 0 };
+#endif
+
 #ifdef HULL_PREFIX
 #define HULL_PASTE(prefix, name) prefix##name
 #define HULL_EXPAND(prefix, name) HULL_PASTE (prefix, name)
@@ -33,6 +45,7 @@
 #define outside_select HULL_NAME (outside_select)
 #define outside_make_room HULL_NAME (outside_make_room)
 #define outside_is_further HULL_NAME (outside_is_further)
+#define hull_sees_exactly HULL_NAME (hull_sees_exactly)
 #define hand_over HULL_NAME (hand_over)
 #define horizon_collect_visible HULL_NAME (horizon_collect_visible)
 #define horizon_planes HULL_NAME (horizon_planes)
@@ -89,6 +102,8 @@ typedef struct HullBuilder {
 
   uint32_t *next_outside; /* a site's follower in its outside set; n_sites is
                              the end, and has a row of its own */
+  double *head_fronts;    /* with HULL_LOWER, while sites are partitioned: how
+                             far the head of each facet's outside set is */
   /* Facets with outside sets: a stack of the first n_stacked, and from
    * queue_head to queue_end a queue, the oldest first. Beyond n_young_max the
    * queue becomes part of the stack; an empty one begins again with the top
@@ -108,6 +123,8 @@ typedef struct HullBuilder {
   ConeSet *cone_sets;
   uint32_t cone_room;  /* in facets, whole blocks */
   double reach_square; /* of the horizon site furthest from the apex */
+  double height;       /* with HULL_LOWER: the site at infinity, seen from the
+                          apex, lies in this direction: (0, 0, height) */
   uint32_t first_cone; /* the first number of the cone */
 
   HullCounts counts;
@@ -151,6 +168,9 @@ bool outside_is_further (const HullBuilder *b,
                          uint32_t site,
                          uint32_t other,
                          uint32_t facet);
+
+/* Whether the site sees the facet, whatever rounding does. */
+bool hull_sees_exactly (const HullBuilder *b, uint32_t site, uint32_t facet);
 
 /* Makes room for so many more facets that wait. */
 void outside_make_room (HullBuilder *b, uint32_t n);
@@ -232,6 +252,30 @@ hull_tell (const HullBuilder *b, Event event)
 #endif
 }
 
+/* Whether the number is that of the site at infinity. */
+static inline bool
+hull_is_infinite (const HullBuilder *b, uint32_t site)
+{
+  return HULL_IS_LOWER && site == b->n_sites;
+}
+
+/* The corner of a facet that is the site at infinity, or 3. */
+static inline uint32_t
+hull_infinite_corner (const HullBuilder *b, const uint32_t corner[3])
+{
+  uint32_t k = 0;
+
+  while (k < 3 && !hull_is_infinite (b, corner[k]))
+    k++;
+  return k;
+}
+
+static inline bool
+hull_is_unbounded (const HullBuilder *b, uint32_t facet)
+{
+  return hull_infinite_corner (b, b->facets[facet].site) < 3;
+}
+
 /* Whether a site waits at a facet that it sees: at the first one, unless it
  * was chosen otherwise. */
 static inline bool
@@ -252,9 +296,9 @@ hull_may_claim (const HullBuilder *b, uint32_t site, uint32_t facet)
 #endif
 }
 
-/* lift_orient() > 0, with a filter for the whole set first. */
-static inline bool
-hull_sees (const HullBuilder *b, uint32_t site, uint32_t facet)
+/* The determinant of a site, rounded. */
+static inline double
+hull_front (const HullBuilder *b, uint32_t site, uint32_t facet)
 {
   const uint32_t *corner = b->facets[facet].site;
   const Site *p = &b->sites[site], *s0 = &b->sites[corner[0]];
@@ -262,15 +306,24 @@ hull_sees (const HullBuilder *b, uint32_t site, uint32_t facet)
   const double ax = s0->x - p->x, ay = s0->y - p->y;
   const double bx = s1->x - p->x, by = s1->y - p->y;
   const double cx = s2->x - p->x, cy = s2->y - p->y;
-  const double behind = (ax * ax + ay * ay) * (bx * cy - cx * by)
-                        + (bx * bx + by * by) * (cx * ay - ax * cy)
-                        + (cx * cx + cy * cy) * (ax * by - bx * ay);
 
-  if (behind > b->doubt || b->is_whole)
-    return behind < 0;
-  if (behind < -b->doubt)
-    return true;
-  return lift_orient (s0, s1, s2, p) > 0;
+  return -((ax * ax + ay * ay) * (bx * cy - cx * by)
+           + (bx * bx + by * by) * (cx * ay - ax * cy)
+           + (cx * cx + cy * cy) * (ax * by - bx * ay));
+}
+
+/* Whether a site sees a facet, with a filter for the whole set first. */
+static inline bool
+hull_sees (const HullBuilder *b, uint32_t site, uint32_t facet)
+{
+  double front;
+
+  if (hull_is_unbounded (b, facet))
+    return hull_sees_exactly (b, site, facet);
+  front = hull_front (b, site, facet);
+  if (front < -b->doubt || b->is_whole)
+    return front > 0;
+  return front > b->doubt || hull_sees_exactly (b, site, facet);
 }
 
 #endif

@@ -7,6 +7,23 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A facet to infinity is seen from the right of its edge. */
+bool
+hull_sees_exactly (const HullBuilder *b, uint32_t site, uint32_t facet)
+{
+  const uint32_t *corner = b->facets[facet].site;
+  const Site *sites = b->sites;
+  const uint32_t k = hull_infinite_corner (b, corner);
+
+  if (k < 3)
+    return orient (&sites[corner[(k + 1) % 3]], &sites[corner[(k + 2) % 3]],
+                   &sites[site])
+           < 0;
+  return lift_orient (&sites[corner[0]], &sites[corner[1]], &sites[corner[2]],
+                      &sites[site])
+         > 0;
+}
+
 bool
 outside_is_further (const HullBuilder *b,
                     uint32_t site,
@@ -55,6 +72,39 @@ is_simplex_site (const HullBuilder *b, uint32_t site)
   return site == s[0] || site == s[1] || site == s[2] || site == s[3];
 }
 
+/* The determinant of a site, or for a facet to infinity that of its edge and
+ * the site, rounded. */
+static inline double
+front_of (const HullBuilder *b, uint32_t site, uint32_t facet)
+{
+  const uint32_t *corner = b->facets[facet].site;
+  const Site *p = &b->sites[site], *tail, *head;
+  const uint32_t k = hull_infinite_corner (b, corner);
+
+  if (k == 3)
+    return hull_front (b, site, facet);
+  tail = &b->sites[corner[(k + 1) % 3]];
+  head = &b->sites[corner[(k + 2) % 3]];
+  return (p->x - tail->x) * (head->y - tail->y)
+         - (p->y - tail->y) * (head->x - tail->x);
+}
+
+/* Whether a site comes to the head of an outside set: with HULL_LOWER as
+ * rounded, for which no hull depends on it. */
+static inline bool
+leads (HullBuilder *b, uint32_t site, uint32_t head, uint32_t facet)
+{
+  double front;
+
+  if (!HULL_IS_LOWER)
+    return head == INDEX_NONE || outside_is_further (b, site, head, facet);
+  front = front_of (b, site, facet);
+  if (head != INDEX_NONE && front <= b->head_fronts[facet])
+    return false;
+  b->head_fronts[facet] = front;
+  return true;
+}
+
 /* Puts a site into the outside set of a facet that it sees, at its head when
  * it is the furthest there. */
 static void
@@ -62,7 +112,7 @@ claim (HullBuilder *b, uint32_t site, uint32_t facet)
 {
   uint32_t *head = &b->facets[facet].outside;
 
-  if (*head == INDEX_NONE || outside_is_further (b, site, *head, facet)) {
+  if (leads (b, site, *head, facet)) {
     b->next_outside[site] = *head == INDEX_NONE ? b->n_sites : *head;
     *head = site;
   } else {
@@ -120,6 +170,17 @@ enqueue_all (HullBuilder *b)
     outside_enqueue (b, facet);
 }
 
+/* Hands out the sites, and lets the facets that they wait at wait. */
+static void
+partition (HullBuilder *b, void (*hand_out) (HullBuilder *b))
+{
+  if (HULL_IS_LOWER)
+    b->head_fronts = memory_new (b->n_facets, sizeof *b->head_fronts);
+  hand_out (b);
+  free (b->head_fronts);
+  enqueue_all (b);
+}
+
 void
 outside_partition (HullBuilder *b)
 {
@@ -129,8 +190,7 @@ outside_partition (HullBuilder *b)
       = memory_new ((size_t)b->n_sites + 1, sizeof *b->next_outside);
   if (b->n_listed > 0)
     b->claimed_by = memory_new (b->n_sites, sizeof *b->claimed_by);
-  partition_over_simplex (b);
-  enqueue_all (b);
+  partition (b, partition_over_simplex);
 }
 
 /* Puts the young facets onto the stack when they are many, and goes on with
@@ -241,8 +301,7 @@ outside_next_facet (HullBuilder *b)
     b->walks = false;
     b->next_outside
         = memory_new ((size_t)b->n_sites + 1, sizeof *b->next_outside);
-    partition_by_walking (b);
-    enqueue_all (b);
+    partition (b, partition_by_walking);
   }
   if (b->next_outside == NULL)
     return INDEX_NONE;

@@ -47,6 +47,7 @@ result_init_batch (Result *result, const SiteSet *set, const Order *order)
   Batch *batch = batch_build (set->sites, set->n_sites, order, BATCH_LOCAL);
   uint32_t facet;
 
+  batch_close (batch, set->sites, set->n_sites);
   name_first (set, batch);
   memset (result, 0, sizeof *result);
   result->set = set;

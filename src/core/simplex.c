@@ -100,20 +100,43 @@ set_doubts (HullBuilder *b)
   b->doubt = 16 * (DBL_EPSILON / 2) * 12 * side * side * side * side + DBL_MIN;
 }
 
+static void
+swap (uint32_t *a, uint32_t *b)
+{
+  const uint32_t c = *a;
+
+  *a = *b;
+  *b = c;
+}
+
 /* Turns the base so that the top lies behind it. */
 static void
 orient_base (HullBuilder *b)
 {
   const Site *sites = b->sites;
   uint32_t *site = b->simplex;
-  const uint32_t second = site[1];
 
   if (lift_orient (&sites[site[0]], &sites[site[1]], &sites[site[2]],
                    &sites[site[3]])
       < 0)
     return;
-  site[1] = site[2];
-  site[2] = second;
+  swap (&site[1], &site[2]);
+}
+
+/* Puts three of the four sites that are not collinear under the site at
+ * infinity, clockwise; the fourth waits like all others. */
+static void
+put_infinity_on_top (HullBuilder *b)
+{
+  const Site *sites = b->sites;
+  uint32_t *site = b->simplex;
+
+  /* If three are collinear, the fourth does not lie on their line. */
+  if (orient (&sites[site[0]], &sites[site[1]], &sites[site[2]]) == 0)
+    site[2] = site[3];
+  if (orient (&sites[site[0]], &sites[site[1]], &sites[site[2]]) > 0)
+    swap (&site[1], &site[2]);
+  site[3] = b->n_sites;
 }
 
 /* Facet 0 is the base; facet 1 + i joins the top to the base's edge i, which
@@ -125,11 +148,14 @@ simplex_build (HullBuilder *b)
   uint32_t i;
 
   set_doubts (b);
-  orient_base (b);
+  if (HULL_IS_LOWER)
+    put_infinity_on_top (b);
+  else
+    orient_base (b);
   if (b->facets_room < 4)
     b->facets = memory_grow (b->facets, &b->facets_room, 4, sizeof *b->facets);
   b->n_facets = 4;
-  b->near = 1;
+  b->near = HULL_IS_LOWER ? 0 : 1; /* a lower facet, or one of the top */
   b->counts.facets_created = 4;
   b->facets[0] = (HullFacet){
     { s[0], s[1], s[2] }, { 1 << 2 | 2, 2 << 2 | 2, 3 << 2 | 2 }, INDEX_NONE, 0

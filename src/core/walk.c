@@ -27,6 +27,8 @@ is_lower (const HullBuilder *b, uint32_t facet)
 {
   const uint32_t *site = b->facets[facet].site;
 
+  if (hull_is_unbounded (b, facet))
+    return false;
   return side_of (b, &b->sites[site[0]], &b->sites[site[1]], &b->sites[site[2]])
          < 0;
 }
@@ -97,9 +99,10 @@ walk_to (HullBuilder *b, uint32_t site)
     if (k == 3)
       return is_corner (b, facet, &p) ? INDEX_NONE : facet;
     across = b->facets[facet].across[k];
-    /* Beyond the hull in the plane it sees one of the two facets here. */
+    /* Beyond the hull in the plane it sees one of the two facets here: the
+     * other one for certain, where none leans inwards. */
     if (!is_lower (b, across >> 2))
-      return hull_sees (b, site, facet) ? facet : across >> 2;
+      return !HULL_IS_LOWER && hull_sees (b, site, facet) ? facet : across >> 2;
     facet = across >> 2;
     from = across & 3;
   }

@@ -71,7 +71,8 @@ count_lower (const Batch *batch, const Site *sites)
   for (i = 0; i < batch->n_facets; i++) {
     const uint32_t *s = batch->facets[i].site;
 
-    n += facing (&sites[s[0]], &sites[s[1]], &sites[s[2]]) == FACING_LOWER;
+    if (s[0] != INDEX_NONE && s[1] != INDEX_NONE && s[2] != INDEX_NONE)
+      n += facing (&sites[s[0]], &sites[s[1]], &sites[s[2]]) == FACING_LOWER;
   }
   return n;
 }
