@@ -20,8 +20,8 @@ start (Delaunay *delaunay, const SiteSet *set)
 static void
 make_room (Delaunay *delaunay)
 {
-  delaunay->triangles = memory_new (2 * (size_t)delaunay->n_active,
-                                    sizeof *delaunay->triangles);
+  delaunay->triangles = memory_room (2 * (size_t)delaunay->n_active,
+                                     sizeof *delaunay->triangles);
   delaunay->edges
       = memory_new (3 * (size_t)delaunay->n_active, sizeof *delaunay->edges);
 }
@@ -49,7 +49,7 @@ add_triangle (Delaunay *delaunay, const uint32_t site[3], uint32_t facet)
 static uint32_t *
 add_triangles (Delaunay *delaunay, const Trace *trace, uint32_t base)
 {
-  uint32_t *triangle_of = memory_new (trace->n_facets, sizeof *triangle_of);
+  uint32_t *triangle_of = memory_room (trace->n_facets, sizeof *triangle_of);
   uint32_t facet;
 
   for (facet = 0; facet < trace->n_facets; facet++) {
@@ -65,44 +65,31 @@ add_triangles (Delaunay *delaunay, const Trace *trace, uint32_t base)
   return triangle_of;
 }
 
-static void
-link_triangle (Delaunay *delaunay,
-               uint32_t triangle,
-               uint32_t tail,
-               uint32_t neighbour)
+/* The edge of a triangle that begins at one of its sites; without branches, for
+ * nobody can guess which. */
+static inline uint32_t
+edge_from (const Triangle *triangle, uint32_t tail)
 {
-  Triangle *row = &delaunay->triangles[triangle];
-  uint32_t k = 0;
-
-  while (row->site[k] != tail)
-    k++;
-  row->neighbour[k] = neighbour;
+  return (uint32_t)(triangle->site[1] == tail)
+         + 2 * (uint32_t)(triangle->site[2] == tail);
 }
 
-static uint32_t
-opposite_site (const Triangle *triangle, const uint32_t edge[2])
-{
-  uint32_t k = 0;
-
-  while (triangle->site[k] == edge[0] || triangle->site[k] == edge[1])
-    k++;
-  return triangle->site[k];
-}
-
-/* Whether the triangles on both sides of an edge have one circumcircle. */
+/* Links two triangles along an edge.
+ *
+ * Returns: whether they have one circumcircle. */
 static bool
-is_free_edge (const Delaunay *delaunay, const DelaunayEdge *edge)
+link_triangles (Delaunay *delaunay, const DelaunayEdge *edge)
 {
   const Site *sites = delaunay->set->sites;
-  const uint32_t *left;
-  uint32_t right;
+  Triangle *left = &delaunay->triangles[edge->triangle[0]];
+  Triangle *right = &delaunay->triangles[edge->triangle[1]];
+  const uint32_t k = edge_from (right, edge->site[1]);
+  const uint32_t opposite = right->site[k == 0 ? 2 : k - 1];
 
-  if (edge->triangle[1] == INDEX_NONE)
-    return false;
-  left = delaunay->triangles[edge->triangle[0]].site;
-  right = opposite_site (&delaunay->triangles[edge->triangle[1]], edge->site);
-  return lift_orient (&sites[left[0]], &sites[left[1]], &sites[left[2]],
-                      &sites[right])
+  left->neighbour[edge_from (left, edge->site[0])] = edge->triangle[1];
+  right->neighbour[k] = edge->triangle[0];
+  return lift_orient (&sites[left->site[0]], &sites[left->site[1]],
+                      &sites[left->site[2]], &sites[opposite])
          == 0;
 }
 
@@ -112,12 +99,8 @@ add_edge (Delaunay *delaunay, const uint32_t site[2], const uint32_t side[2])
   DelaunayEdge *edge = &delaunay->edges[delaunay->n_edges++];
 
   *edge = (DelaunayEdge){ { site[0], site[1] }, { side[0], side[1] }, false };
-  if (side[0] == INDEX_NONE)
-    return;
-  link_triangle (delaunay, side[0], site[0], side[1]);
   if (side[1] != INDEX_NONE)
-    link_triangle (delaunay, side[1], site[1], side[0]);
-  edge->is_free = is_free_edge (delaunay, edge);
+    edge->is_free = link_triangles (delaunay, edge);
 }
 
 /* Adds the shadow of a ridge, whose sites have facet[0] on their left from
@@ -144,7 +127,7 @@ add_ridge (Delaunay *delaunay,
 static void
 walk_boundary (Delaunay *delaunay)
 {
-  uint32_t *next = memory_new (delaunay->set->n_sites, sizeof *next);
+  uint32_t *next = memory_room (delaunay->set->n_sites, sizeof *next);
   uint32_t first = INDEX_NONE;
   uint32_t i, site;
 
@@ -172,7 +155,7 @@ static void
 number_groups (Delaunay *delaunay)
 {
   const uint32_t n = delaunay->n_triangles;
-  uint32_t *stack = memory_new (n, sizeof *stack);
+  uint32_t *stack = memory_room (n, sizeof *stack);
   uint32_t *is_free = memory_new (n, sizeof *is_free); /* bits of its edges */
   uint32_t i, k;
 
@@ -221,7 +204,7 @@ add_fan (Delaunay *delaunay)
   const uint32_t n = delaunay->n_boundary;
   uint32_t i;
 
-  delaunay->triangles = memory_new (n, sizeof *delaunay->triangles);
+  delaunay->triangles = memory_room (n, sizeof *delaunay->triangles);
   delaunay->edges = memory_new (2 * (size_t)n, sizeof *delaunay->edges);
   for (i = 0; i + 2 < n; i++)
     delaunay->triangles[i]

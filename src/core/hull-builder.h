@@ -26,6 +26,7 @@
 #include "trace-log.h"
 
 #include <stddef.h>
+#include <string.h>
 
 #ifdef HULL_LOWER
 enum { HULL_IS_LOWER = 1 };
@@ -238,6 +239,10 @@ hull_set_plane (HullBuilder *b,
     (kind), (facet), (site), { INDEX_NONE, INDEX_NONE }                        \
   }
 
+/* Whoever listens reads an event as a whole, and would wait until words that
+ * were written one by one have come to lie in memory. */
+typedef uint32_t EventWords __attribute__ ((vector_size (16)));
+
 static inline void
 hull_tell (const HullBuilder *b, Event event)
 {
@@ -247,8 +252,15 @@ hull_tell (const HullBuilder *b, Event event)
 #elif defined(HULL_RECORD)
   trace_log_add (b->log, &event);
 #else
-  if (b->hook != NULL)
-    b->hook->on_event (&event, b->hook->user);
+  if (b->hook != NULL) {
+    const EventWords words
+        = { event.kind, event.facet, event.site, event.ridge[0] };
+    Event told;
+
+    memcpy (&told, &words, sizeof words);
+    told.ridge[1] = event.ridge[1];
+    b->hook->on_event (&told, b->hook->user);
+  }
 #endif
 }
 

@@ -32,6 +32,15 @@ memory_new (size_t n, size_t size)
 }
 
 void *
+memory_room (size_t n, size_t size)
+{
+  assert (size > 0);
+  if (n > SIZE_MAX / size)
+    return there_or_abort (NULL);
+  return there_or_abort (malloc (n > 0 ? n * size : 1));
+}
+
+void *
 memory_grow (void *array, uint32_t *capacity, uint32_t n, size_t size)
 {
   const uint32_t twice

@@ -8,6 +8,9 @@
 /* Returns: room for @n elements of @size bytes, all zero; free with free(). */
 void *memory_new (size_t n, size_t size);
 
+/* Returns: the same, not cleared, where all that is read is written before. */
+void *memory_room (size_t n, size_t size);
+
 /* Grows @array, whose room for *@capacity elements of @size bytes is too
  * small for @n, to at least @n and at least double.
  *

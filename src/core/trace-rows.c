@@ -4,15 +4,6 @@
 
 #include <stdlib.h>
 
-/* Room that is not cleared: all of it will be written. */
-static void *
-room_for (uint32_t n, size_t size)
-{
-  uint32_t room = 0;
-
-  return memory_grow (NULL, &room, n > 0 ? n : 1, size);
-}
-
 static void
 add_facet (Trace *trace,
            const uint32_t site[3],
@@ -133,8 +124,8 @@ add_hull (Trace *trace)
   const TraceLog *log = &trace->log;
   uint32_t i;
 
-  trace->facets = room_for (4 + log->n_horizon, sizeof *trace->facets);
-  trace->rounds = room_for (log->n_rounds, sizeof *trace->rounds);
+  trace->facets = memory_room (4 + log->n_horizon, sizeof *trace->facets);
+  trace->rounds = memory_room (log->n_rounds, sizeof *trace->rounds);
   add_simplex (trace);
   for (i = 0; i < log->n_rounds; i++)
     add_round (trace, i);
@@ -152,7 +143,7 @@ trace_rows_new (const SiteSet *set, const Order *order, const TraceLog *log)
   trace->order = *order;
   trace->log = *log;
   trace_log_fit (&trace->log);
-  trace->inserted = room_for (set->n_sites, sizeof *trace->inserted);
+  trace->inserted = memory_room (set->n_sites, sizeof *trace->inserted);
   for (site = 0; site < set->n_sites; site++)
     trace->inserted[site] = STEP_NEVER;
   trace->n_events = log->n_duplicates;

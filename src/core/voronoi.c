@@ -37,12 +37,13 @@ circumcentre (const Site *a, const Site *b, const Site *c)
   return exact_circumcentre (a, b, c);
 }
 
-static int
+/* Without branches, for nobody can guess which it is. */
+static inline uint32_t
 lowest_corner (const uint32_t site[3])
 {
-  if (site[0] < site[1])
-    return site[0] < site[2] ? 0 : 2;
-  return site[1] < site[2] ? 1 : 2;
+  const uint32_t k = site[1] < site[0];
+
+  return site[2] < site[k] ? 2 : k;
 }
 
 static void
@@ -63,11 +64,12 @@ add_vertices (Voronoi *voronoi)
   for (i = 0; i < voronoi->n_vertices; i++) {
     VoronoiVertex *vertex = &voronoi->vertices[i];
     const uint32_t *site = delaunay->triangles[vertex->triangle].site;
-    const int k = lowest_corner (site);
+    const uint32_t k = lowest_corner (site);
 
     /* The last bits must not tell which corner happens to be the first. */
-    vertex->at = circumcentre (&sites[site[k]], &sites[site[(k + 1) % 3]],
-                               &sites[site[(k + 2) % 3]]);
+    vertex->at
+        = circumcentre (&sites[site[k]], &sites[site[k == 2 ? 0 : k + 1]],
+                        &sites[site[k == 0 ? 2 : k - 1]]);
   }
 }
 
@@ -92,6 +94,8 @@ add_edge (Voronoi *voronoi, uint32_t edge)
   if (dual->is_free)
     return;
   row = &voronoi->edges[voronoi->n_edges++];
+  /* Between its fields too: equal edges are equal bytes. */
+  memset (row, 0, sizeof *row);
   row->site[0] = dual->site[0];
   row->site[1] = dual->site[1];
   row->vertex[0] = vertex_of (delaunay, dual->triangle[0]);
@@ -136,7 +140,7 @@ list_incident (Voronoi *voronoi)
 {
   uint32_t *start = count_incident (voronoi);
   Incident *incident
-      = memory_new (2 * (size_t)voronoi->n_edges, sizeof *incident);
+      = memory_room (2 * (size_t)voronoi->n_edges, sizeof *incident);
   uint32_t i;
 
   for (i = 0; i < voronoi->n_edges; i++) {
@@ -157,12 +161,12 @@ add_incident (Voronoi *voronoi)
 {
   const uint32_t n = voronoi->delaunay->set->n_sites;
   Incident *incident = list_incident (voronoi);
-  uint32_t *next = memory_new ((size_t)n + 1, sizeof *next);
+  uint32_t *next = memory_room ((size_t)n + 1, sizeof *next);
   uint32_t i;
 
   memcpy (next, voronoi->start, n * sizeof *next);
   voronoi->incident
-      = memory_new (2 * (size_t)voronoi->n_edges, sizeof *voronoi->incident);
+      = memory_room (2 * (size_t)voronoi->n_edges, sizeof *voronoi->incident);
   for (i = 0; i < 2 * voronoi->n_edges; i++)
     voronoi->incident[next[incident[i].across]++] = incident[i].edge;
   free (incident);
@@ -177,7 +181,7 @@ voronoi_init (Voronoi *voronoi, const Delaunay *delaunay)
   memset (voronoi, 0, sizeof *voronoi);
   voronoi->delaunay = delaunay;
   add_vertices (voronoi);
-  voronoi->edges = memory_new (delaunay->n_edges, sizeof *voronoi->edges);
+  voronoi->edges = memory_room (delaunay->n_edges, sizeof *voronoi->edges);
   for (i = 0; i < delaunay->n_edges; i++)
     add_edge (voronoi, i);
   add_incident (voronoi);
