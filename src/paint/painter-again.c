@@ -13,36 +13,58 @@
 /* Styles that nothing has any more are not taken out: then all is drawn. */
 #define MANY_STYLES 2000
 
-static uint64_t
-mix (uint64_t key, const void *bytes, size_t n_bytes)
-{
-  const unsigned char *at = bytes;
-  uint64_t word;
+/* Two sums side by side take hardly longer than one. */
+typedef struct Sums {
+  uint64_t a, b;
+} Sums;
 
-  for (; n_bytes >= sizeof word; n_bytes -= sizeof word, at += sizeof word) {
-    memcpy (&word, at, sizeof word);
-    key = (key ^ word) * 0x9fb21c651e98df25U;
-    key ^= key >> 32;
+static uint64_t
+stir (uint64_t sum, uint64_t word)
+{
+  sum = (sum ^ word) * 0x9fb21c651e98df25U;
+  return sum ^ sum >> 32;
+}
+
+static uint64_t
+bits_of (double number)
+{
+  uint64_t bits;
+
+  memcpy (&bits, &number, sizeof bits);
+  return bits;
+}
+
+static void
+stir_points (Sums *sums, const Point3 *points, uint32_t n)
+{
+  uint32_t i;
+
+  for (i = 0; i < n; i++) {
+    const Point3 *point = &points[i];
+
+    sums->a = stir (sums->a, bits_of (point->x));
+    sums->b = stir (sums->b, bits_of (point->y));
+    if (point->z < 0 || point->z > 0)
+      sums->a = stir (sums->a, bits_of (point->z));
   }
-  return key;
 }
 
 uint64_t
 painter_key (const Painter *painter, const SceneItem *item, StrokeKind kind)
 {
-  const uint64_t numbers[3] = {
-    (uint64_t)item->role << 32 | (uint64_t)item->shape << 24
-        | (uint64_t)item->emphasis << 16 | (uint64_t)item->pass << 8
-        | (uint64_t)(item->object.kind == OBJECT_VERTEX),
-    (uint64_t)item->hue << 32 | item->n,
-    (uint64_t)painter->drawing->in_hand.layer << 8 | (uint64_t)kind,
-  };
-  const Point3 *points = &painter->scene->points[item->first];
-  uint64_t key = painter->scene->is_space ? 1 : 2;
+  const uint64_t look = (uint64_t)item->role << 32 | (uint64_t)item->shape << 24
+                        | (uint64_t)item->emphasis << 16
+                        | (uint64_t)item->pass << 8
+                        | (uint64_t)(item->object.kind == OBJECT_VERTEX);
+  const uint64_t place = (uint64_t)item->n << 32
+                         | painter->drawing->in_hand.layer << 8
+                         | (uint64_t)kind << 1 | painter->scene->is_space;
+  Sums sums = { look, place };
 
-  key = mix (key, numbers, sizeof numbers);
-  key = mix (key, &item->fade, sizeof item->fade);
-  return mix (key, points, item->n * sizeof *points);
+  sums.a = stir (sums.a, bits_of (item->fade));
+  sums.b = stir (sums.b, item->hue);
+  stir_points (&sums, &painter->scene->points[item->first], item->n);
+  return stir (sums.a, sums.b * 0xd6e8feb86659fd93U);
 }
 
 /* The strokes up to @end are not in the new drawing. */
