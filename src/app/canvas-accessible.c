@@ -4,10 +4,13 @@
 #include "canvas.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
 struct _CanvasAccessible {
   GtkWidgetAccessible parent_instance;
   GHashTable *children; /* object key → CanvasChild */
+  Object selection;     /* as was told last, */
+  GArray *selected;     /* with all that is selected beside it */
   char *name, *description;
 };
 
@@ -126,6 +129,7 @@ canvas_accessible_finalize (GObject *object)
   CanvasAccessible *accessible = HULL2VD_CANVAS_ACCESSIBLE (object);
 
   g_hash_table_unref (accessible->children);
+  g_array_unref (accessible->selected);
   g_free (accessible->name);
   g_free (accessible->description);
   G_OBJECT_CLASS (canvas_accessible_parent_class)->finalize (object);
@@ -148,6 +152,7 @@ canvas_accessible_class_init (CanvasAccessibleClass *class)
 static void
 canvas_accessible_init (CanvasAccessible *accessible)
 {
+  accessible->selected = g_array_new (FALSE, FALSE, sizeof (guint32));
   accessible->children
       = g_hash_table_new_full (NULL, NULL, NULL, g_object_unref);
 }
@@ -181,12 +186,33 @@ renew_children (CanvasAccessible *accessible, guint n_sites)
   }
 }
 
+/* Whether nothing else is selected than was told last; then it is told now. */
+static gboolean
+is_told (CanvasAccessible *accessible, const SceneLook *look)
+{
+  GArray *selected = accessible->selected;
+  const gsize size = look->n_selected * sizeof (guint32);
+
+  if (object_equal (accessible->selection, look->selection)
+      && selected->len == look->n_selected
+      && (size == 0 || memcmp (selected->data, look->selected, size) == 0))
+    return TRUE;
+  accessible->selection = look->selection;
+  g_array_set_size (selected, 0);
+  if (size > 0)
+    g_array_append_vals (selected, look->selected, look->n_selected);
+  return FALSE;
+}
+
+/* The look changes with each motion of the pointer. */
 static void
-tell_selected (CanvasAccessible *accessible)
+tell_selected (CanvasAccessible *accessible, const SceneLook *look)
 {
   GHashTableIter iter;
   gpointer child;
 
+  if (is_told (accessible, look))
+    return;
   g_hash_table_iter_init (&iter, accessible->children);
   while (g_hash_table_iter_next (&iter, NULL, &child))
     canvas_child_tell_selected (HULL2VD_CANVAS_CHILD (child));
@@ -219,7 +245,8 @@ canvas_accessible_update (GtkWidget *canvas, guint changes)
   if (changes & (CHANGED_SITES | CHANGED_STEP | CHANGED_LESSON))
     g_object_notify (G_OBJECT (accessible), "accessible-description");
   if (changes & (CHANGED_SITES | CHANGED_LOOK))
-    tell_selected (accessible);
+    tell_selected (accessible, session_get_look (canvas_get_session (
+                                   HULL2VD_CANVAS (canvas))));
 }
 
 void
