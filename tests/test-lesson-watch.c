@@ -226,12 +226,6 @@ cut_it_off (Reader *reader)
 }
 
 static void
-put_bytes (Reader *reader)
-{
-  save (reader->path, "\0\xff\x1b", 3);
-}
-
-static void
 forbid_it (Reader *reader)
 {
   g_assert_cmpint (g_chmod (reader->path, 0), ==, 0);
@@ -259,7 +253,6 @@ test_what_is_no_lesson_in_its_place_is_told (void)
 {
   check_fault (empty_it, "l.md:1:1: ");
   check_fault (cut_it_off, "l.md:");
-  check_fault (put_bytes, "l.md:1:");
 }
 
 /* Sites */
