@@ -88,9 +88,8 @@ link_triangles (Delaunay *delaunay, const DelaunayEdge *edge)
 
   left->neighbour[edge_from (left, edge->site[0])] = edge->triangle[1];
   right->neighbour[k] = edge->triangle[0];
-  return lift_orient (&sites[left->site[0]], &sites[left->site[1]],
-                      &sites[left->site[2]], &sites[opposite])
-         == 0;
+  return is_on_circle (&sites[left->site[0]], &sites[left->site[1]],
+                       &sites[left->site[2]], &sites[opposite]);
 }
 
 static void

@@ -88,9 +88,8 @@ is_coplanar (const Trace *trace, const FrameRidge *ridge)
   const uint32_t right
       = opposite_site (&trace->facets[ridge->facet[1]], ridge->site);
 
-  return lift_orient (&sites[left[0]], &sites[left[1]], &sites[left[2]],
-                      &sites[right])
-         == 0;
+  return is_on_circle (&sites[left[0]], &sites[left[1]], &sites[left[2]],
+                       &sites[right]);
 }
 
 static void

@@ -149,6 +149,18 @@ tell_duplicates (const HullBuilder *b)
       tell (b, EVENT_DUPLICATE, site);
 }
 
+/* Room for a little more than the 5.6 facets a site that uniform ones have, so
+ * that nothing is moved while it grows; of many sites, facets grow as they
+ * come. */
+static void
+make_facets_room (HullBuilder *b)
+{
+  const uint32_t n = b->n_sites < 50000 ? b->n_sites : 50000;
+
+  b->facets
+      = memory_grow (NULL, &b->facets_room, 6 * n + 16, sizeof *b->facets);
+}
+
 /* From the first event to the last, with what is told by whom in @b.
  *
  * Returns: false when it was given up. */
@@ -163,6 +175,7 @@ build (HullBuilder *b, const SiteSet *set, const Order *order)
   b->n_young_max = UINT32_MAX;
   b->list = list.sites;
   b->n_listed = list.n_listed;
+  make_facets_room (b);
   tell_duplicates (b);
   if (!run (b))
     tell (b, EVENT_FLAT, INDEX_NONE);

@@ -43,6 +43,28 @@ orient_is_settled (double left, double right)
  */
 int lift_orient (const Site *a, const Site *b, const Site *c, const Site *d);
 
+/* Whether four sites lie on one circle or line, lift_orient() being 0; nearly
+ * always without a call. The determinant is a sum of six products of at most
+ * half the square of @reach, each off by less than 14 half ulps. */
+static inline bool
+is_on_circle (const Site *a, const Site *b, const Site *c, const Site *d)
+{
+  const double ax = a->x - d->x, ay = a->y - d->y;
+  const double bx = b->x - d->x, by = b->y - d->y;
+  const double cx = c->x - d->x, cy = c->y - d->y;
+  const double a_square = ax * ax + ay * ay;
+  const double b_square = bx * bx + by * by;
+  const double c_square = cx * cx + cy * cy;
+  const double reach = a_square + b_square + c_square;
+  const double behind = a_square * (bx * cy - cx * by)
+                        + b_square * (cx * ay - ax * cy)
+                        + c_square * (ax * by - bx * ay);
+
+  if (fabs (behind) > 6 * 16 * (DBL_EPSILON / 2) * reach * reach + DBL_MIN)
+    return false;
+  return lift_orient (a, b, c, d) == 0;
+}
+
 /* Which of two lifts lies further in front of the plane through the lifts of
  * plane[0], plane[1], plane[2]: compares the signed determinants, which for
  * one facet order as the perpendicular distance and the vertical gap do.
