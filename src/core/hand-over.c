@@ -259,6 +259,13 @@ hand_over_to_first (const HullBuilder *b, const View *view, uint32_t site)
   return drop (view, site, &at);
 }
 
+static inline bool
+hand_over_one (const HullBuilder *b, const View *view, uint32_t site)
+{
+  return HULL_IS_LOWER ? hand_over_to_any (b, view, site)
+                       : hand_over_to_first (b, view, site);
+}
+
 /* Lets the facets of the cone have what waits at them. */
 static void
 end_sets (HullBuilder *b)
@@ -329,7 +336,7 @@ hand_over_many (const HullBuilder *b, const View *view, ConeOrphans *orphans)
       claim (b, view, site, i, front);
       n_claims += 1;
     } else {
-      n_claims += hand_over_to_first (b, view, site);
+      n_claims += hand_over_one (b, view, site);
     }
   }
   orphans->n = 0;
@@ -369,8 +376,7 @@ hand_over_all (const HullBuilder *b, const View *view, uint32_t apex)
     for (site = b->orphans[i]; site != end; site = next) {
       next = view->next_outside[site];
       if (site != apex)
-        n_claims += HULL_IS_LOWER ? hand_over_to_any (b, view, site)
-                                  : hand_over_to_first (b, view, site);
+        n_claims += hand_over_one (b, view, site);
     }
   return n_claims;
 }
