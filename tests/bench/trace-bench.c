@@ -1,6 +1,7 @@
 /* trace-bench FILE REPEATS: what a drag costs: QuickHull with its whole trace,
- * triangulation and Voronoi diagram at the end; QuickHull alone; QuickHull with
- * a hook that keeps every event, and with one that keeps all but claims. */
+ * triangulation and Voronoi diagram at the end; with its trace alone; QuickHull
+ * alone; QuickHull with a hook that keeps every event, and with one that keeps
+ * all but claims. */
 #include "bench.h"
 #include "memory.h"
 #include "voronoi.h"
@@ -36,6 +37,17 @@ time_log (BenchTimes *times, Log *log, const SiteSet *set, const Order *order)
   bench_stop (times);
 }
 
+static void
+time_record (BenchTimes *times, const SiteSet *set, const Order *order)
+{
+  Trace *trace;
+
+  bench_start (times);
+  trace = trace_record (set, order);
+  bench_stop (times);
+  trace_free (trace);
+}
+
 static uint32_t
 draw (const SiteSet *set, const Order *order)
 {
@@ -58,13 +70,14 @@ main (int argc, char **argv)
 {
   const Order order = { ORDER_FURTHEST, 0 };
   BenchSites sites;
-  BenchTimes hull, trace, every, most;
+  BenchTimes hull, record, trace, every, most;
   Log all = { .has_claims = true }, few = { .has_claims = false };
   uint32_t n_vertices = 0;
   SiteSet *set;
 
   memory_keep ();
   if (argc != 3 || !bench_times_init (&hull, argv[2])
+      || !bench_times_init (&record, argv[2])
       || !bench_times_init (&trace, argv[2])
       || !bench_times_init (&every, argv[2])
       || !bench_times_init (&most, argv[2]) || !bench_read (argv[1], &sites))
@@ -74,6 +87,7 @@ main (int argc, char **argv)
     bench_start (&hull);
     hull_build (set, &order, NULL);
     bench_stop (&hull);
+    time_record (&record, set, &order);
     time_log (&every, &all, set, &order);
     time_log (&most, &few, set, &order);
     bench_start (&trace);
@@ -81,15 +95,17 @@ main (int argc, char **argv)
     bench_stop (&trace);
   }
   printf ("{\"n\":%u,\"hull_ns_per_site_min\":%.1f,"
-          "\"log_ns_per_site_min\":%.1f,"
+          "\"record_ns_per_site_min\":%.1f,\"log_ns_per_site_min\":%.1f,"
           "\"log_without_claims_ns_per_site_min\":%.1f,"
           "\"log_without_claims_bytes_per_site\":%.0f,"
           "\"ns_per_site_min\":%.1f,\"ms_min\":%.3f,\"voronoi_vertices\":%u}\n",
           sites.n_sites, bench_min (&hull, sites.n_sites),
-          bench_min (&every, sites.n_sites), bench_min (&most, sites.n_sites),
+          bench_min (&record, sites.n_sites), bench_min (&every, sites.n_sites),
+          bench_min (&most, sites.n_sites),
           (double)few.n_events * sizeof *few.events / sites.n_sites,
           bench_min (&trace, sites.n_sites), bench_min (&trace, 1000000),
           n_vertices);
+  bench_times_clear (&record);
   bench_times_clear (&every);
   bench_times_clear (&most);
   free (all.events);
