@@ -98,27 +98,46 @@ leads_exactly (const HullBuilder *b, uint32_t site, uint32_t i, Rounded front)
   return leads;
 }
 
-/* Whether a site is to head @set, that of cone facet @i. */
-static inline bool
-leads (const HullBuilder *b,
-       ConeSet *set,
-       uint32_t site,
-       uint32_t i,
-       Rounded front)
+/* Puts a site at the head of the set of cone facet @i if it lies further than
+ * the head. Without branches: in short lists nobody can guess it.
+ *
+ * Returns: which of the two follows. */
+static inline uint32_t
+settle_head (const HullBuilder *b, uint32_t site, uint32_t i, Rounded front)
 {
+  ConeSet *set = &b->cone_sets[i];
   Rounded *furthest = &set->furthest;
   const double lead = front.value - furthest->value;
+  bool leads = lead > 0;
+  uint32_t swap;
 
-  if (!HULL_IS_LOWER && fabs (lead) <= front.doubt + furthest->doubt)
-    return leads_exactly (b, site, i, front);
-  furthest->value = greater (front.value, furthest->value);
-  if (!HULL_IS_LOWER)
+  if (fabs (lead) <= front.doubt + furthest->doubt) {
+    leads = leads_exactly (b, site, i, front);
+  } else {
+    furthest->value = greater (front.value, furthest->value);
     furthest->doubt = greater (front.doubt, furthest->doubt);
-  return lead > 0;
+  }
+  swap = (site ^ set->head) & -(uint32_t)leads;
+  set->head ^= swap;
+  return site ^ swap;
+}
+
+/* The same as rounded. With a branch: it takes time where lists are long, and
+ * the further down one is, the rarer is a new head. */
+static inline uint32_t
+settle_rounded_head (ConeSet *set, uint32_t site, double front)
+{
+  const uint32_t head = set->head;
+
+  if (front <= set->furthest.value)
+    return site;
+  set->furthest.value = front;
+  set->head = site;
+  return head;
 }
 
 /* Puts a site that sees cone facet @i into its outside set, which the furthest
- * site heads. Without branches, for nobody can guess whether a site leads. */
+ * site heads. */
 static inline void
 claim (const HullBuilder *b,
        const View *view,
@@ -127,12 +146,12 @@ claim (const HullBuilder *b,
        Rounded front)
 {
   ConeSet *set = &view->sets[i];
-  const bool is_furthest = leads (b, set, site, i, front);
-  const uint32_t swap = (site ^ set->head) & -(uint32_t)is_furthest;
+  const uint32_t follower = HULL_IS_LOWER
+                                ? settle_rounded_head (set, site, front.value)
+                                : settle_head (b, site, i, front);
 
-  set->head ^= swap;
-  view->next_outside[site ^ swap] = set->others;
-  set->others = site ^ swap;
+  view->next_outside[follower] = set->others;
+  set->others = follower;
   if (view->claimed_by != NULL)
     view->claimed_by[site] = hull_cone_facet (b, i);
   hull_tell (b, EVENT (EVENT_CLAIM, hull_cone_facet (b, i), site));
