@@ -44,6 +44,7 @@ void
 run_inherit_hues (Run *run, const Run *before)
 {
   const guint n = run->set->n_sites, n_before = before->set->n_sites;
+  guint32 hue;
 
   /* The lesson's own, or what is shown already. */
   if (run->reference_count > 1)
@@ -51,6 +52,7 @@ run_inherit_hues (Run *run, const Run *before)
   if (n < n_before && inherit_rest (run, before))
     return;
   memcpy (run->hues, before->hues, MIN (n, n_before) * sizeof *run->hues);
+  hue = unused_hue (run->hues, MIN (n, n_before));
   for (guint i = n_before; i < n; i++)
-    run->hues[i] = unused_hue (run->hues, i);
+    run->hues[i] = hue++;
 }
