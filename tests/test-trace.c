@@ -1,6 +1,7 @@
 /* The recorder: what it keeps, and what it refuses. */
 #include "fixture.h"
 #include "hull.h"
+#include "insertion-cost.h"
 #include "pseudocode.h"
 #include "trace-recorder.h"
 
@@ -250,6 +251,36 @@ test_pseudocode_line_belongs_to_the_event (void)
   }
 }
 
+/* At every step the events so far have cost what is told of them. */
+static void
+check_cost (const Fixture *fixture)
+{
+  const Trace *trace = fixture->trace;
+  InsertionCost counted = { 0 };
+
+  for (uint32_t step = 0; step <= trace->n_events; step++) {
+    const InsertionCost cost = insertion_cost (trace, step);
+    EventKind kind;
+
+    g_assert_cmpuint (cost.facets_created, ==, counted.facets_created);
+    g_assert_cmpuint (cost.facets_seen, ==, counted.facets_seen);
+    g_assert_cmpuint (cost.redistributions, ==, counted.redistributions);
+    if (step == trace->n_events)
+      break;
+    kind = trace_event (trace, step).kind;
+    counted.facets_created += kind == EVENT_SIMPLEX || kind == EVENT_CONE;
+    counted.facets_seen += kind == EVENT_VISIBLE;
+    counted.redistributions += kind == EVENT_CLAIM && step >= trace->start_end;
+  }
+}
+
+static void
+test_cost (void)
+{
+  fixture_for_each (2, 20, ORDER_FURTHEST, check_cost);
+  fixture_for_each (1, 20, ORDER_INPUT, check_cost);
+}
+
 /* Who listens to so many rounds and no more. */
 typedef struct Listener {
   GArray *events;
@@ -311,6 +342,8 @@ main (int argc, char **argv)
                    test_every_standing_facet_has_three_neighbours);
   g_test_add_func ("/trace/events-fed-again-give-the-same-trace",
                    test_events_fed_again_give_the_same_trace);
+  g_test_add_func ("/trace/what-insertions-cost-is-what-the-events-say",
+                   test_cost);
   g_test_add_func ("/trace/a-hull-that-is-given-up-ends-with-a-round",
                    test_given_up);
   g_test_add_func ("/trace/what-is-recorded-is-what-a-hook-hears",

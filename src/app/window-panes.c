@@ -58,7 +58,7 @@ update_report (Hull2vdWindow *window, guint pane)
   Session *session = window->session;
   const gboolean compares
       = session_get_exhibit_kind (session) == EXHIBIT_COMPARE;
-  const InsertionCost cost = session_get_cost (session, compares ? pane : 0);
+  InsertionCost cost;
   g_autofree char *sentence = NULL;
   g_autofree char *numbers = NULL;
   g_autofree char *text = NULL;
@@ -66,6 +66,7 @@ update_report (Hull2vdWindow *window, guint pane)
   gtk_widget_set_visible (GTK_WIDGET (window->reports[pane]), compares);
   if (!compares)
     return;
+  cost = session_get_cost (session, pane);
   sentence = session_narrate_pane (session, pane);
   numbers = cost_text (&cost);
   text = g_markup_printf_escaped ("%s\n<small>%s</small>", sentence, numbers);

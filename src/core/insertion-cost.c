@@ -1,5 +1,14 @@
 #include "insertion-cost.h"
 
+/* How many of the steps first … last have been taken. */
+static uint32_t
+taken (uint32_t step, uint32_t first, uint32_t last)
+{
+  if (step < first)
+    return 0;
+  return (step < last ? step : last) - first + 1;
+}
+
 static void
 count_cones (InsertionCost *cost, const Trace *trace, uint32_t step)
 {
@@ -24,12 +33,15 @@ insertion_cost (const Trace *trace, uint32_t step)
   InsertionCost cost = { .expected_cone = 0 };
   uint32_t i;
 
-  for (i = 0; i < step; i++) {
-    const EventKind kind = trace_event (trace, i).kind;
+  if (!trace->is_flat)
+    cost.facets_created
+        = taken (step, trace->simplex_end - 3, trace->simplex_end);
+  for (i = 0; i < trace->n_rounds && trace->rounds[i].select <= step; i++) {
+    const RoundRow *row = &trace->rounds[i];
 
-    cost.facets_created += kind == EVENT_SIMPLEX || kind == EVENT_CONE;
-    cost.facets_seen += kind == EVENT_VISIBLE;
-    cost.redistributions += kind == EVENT_CLAIM && i >= trace->start_end;
+    cost.facets_created += taken (step, row->first_cone, row->last_cone);
+    cost.facets_seen += taken (step, row->first_visible, row->last_visible);
+    cost.redistributions += taken (step, row->last_retire + 1, row->end);
   }
   count_cones (&cost, trace, step);
   return cost;
