@@ -223,6 +223,60 @@ test_numbers_out_of_range_are_refused (void)
     }
 }
 
+/* Feeds a trace with event @at changed.
+ *
+ * Returns: whether it is refused there. */
+static gboolean
+is_refused (const Fixture *fixture, uint32_t at, Event event)
+{
+  const Trace *trace = fixture->trace;
+  TraceRecorder *recorder = trace_recorder_new (fixture->set, &trace->order);
+  gboolean is_refused_there;
+
+  for (uint32_t i = 0; i < at; i++)
+    g_assert_null (add (recorder, trace_event (trace, i)));
+  is_refused_there = add (recorder, event) != NULL;
+  trace_free (trace_recorder_finish (recorder));
+  return is_refused_there;
+}
+
+/* A facet that stands when a claim is told and is older than its round. */
+static uint32_t
+older_facet (const Trace *trace, uint32_t step)
+{
+  const uint32_t round = trace_round (trace, step) + 1;
+  uint32_t facet = 0;
+
+  while (facet < trace->n_facets
+         && (trace->facets[facet].round == round
+             || !span_has (trace->facets[facet].span, step)))
+    facet++;
+  return facet < trace->n_facets ? facet : INDEX_NONE;
+}
+
+static void
+test_what_another_round_says_is_refused (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
+  const Trace *trace = fixture->trace;
+  guint n_older = 0;
+
+  for (uint32_t i = trace->start_end; i < trace->n_events; i++) {
+    Event event = trace_event (trace, i);
+
+    if (event.kind == EVENT_VISIBLE || event.kind == EVENT_HORIZON
+        || event.kind == EVENT_RETIRE) {
+      event.site = (event.site + 1) % trace->set->n_sites;
+      g_assert_true (is_refused (fixture, i, event));
+    } else if (event.kind == EVENT_CLAIM) {
+      event.facet = older_facet (trace, i);
+      n_older += event.facet != INDEX_NONE;
+      g_assert_true (is_refused (fixture, i, event));
+    }
+  }
+  g_assert_cmpuint (n_older, >, 0);
+}
+
 static void
 test_pseudocode_line_belongs_to_the_event (void)
 {
@@ -354,6 +408,8 @@ main (int argc, char **argv)
                    test_event_left_out_or_doubled_is_refused);
   g_test_add_func ("/trace/numbers-out-of-range-are-refused",
                    test_numbers_out_of_range_are_refused);
+  g_test_add_func ("/trace/what-another-round-says-is-refused",
+                   test_what_another_round_says_is_refused);
   g_test_add_func ("/pseudocode/the-marked-line-belongs-to-the-event",
                    test_pseudocode_line_belongs_to_the_event);
   return g_test_run ();

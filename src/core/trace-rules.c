@@ -174,6 +174,8 @@ check_visible (const TraceState *state, const Event *event)
     return "a visible facet comes at a wrong place";
   if (!is_standing (state, event->facet) || is_seen (state, event->facet))
     return "there is no such facet, or it was seen already";
+  if (last_kind (state) == EVENT_SELECT && event->facet != state->last.facet)
+    return "the first visible facet is the one that was selected";
   return NULL;
 }
 
