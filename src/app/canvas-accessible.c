@@ -123,11 +123,36 @@ canvas_accessible_initialize (AtkObject *object, gpointer data)
   atk_object_set_role (object, ATK_ROLE_CANVAS);
 }
 
+/* Weak pointers of so many children would each be looked for among all. */
+static void
+detach_all (CanvasAccessible *accessible)
+{
+  GHashTableIter iter;
+  gpointer child;
+
+  g_hash_table_iter_init (&iter, accessible->children);
+  while (g_hash_table_iter_next (&iter, NULL, &child))
+    canvas_child_detach (HULL2VD_CANVAS_CHILD (child), FALSE);
+  g_hash_table_remove_all (accessible->children);
+}
+
+static void
+canvas_accessible_widget_unset (GtkAccessible *accessible)
+{
+  GtkAccessibleClass *parent
+      = GTK_ACCESSIBLE_CLASS (canvas_accessible_parent_class);
+
+  detach_all (HULL2VD_CANVAS_ACCESSIBLE (accessible));
+  if (parent->widget_unset != NULL)
+    parent->widget_unset (accessible);
+}
+
 static void
 canvas_accessible_finalize (GObject *object)
 {
   CanvasAccessible *accessible = HULL2VD_CANVAS_ACCESSIBLE (object);
 
+  detach_all (accessible);
   g_hash_table_unref (accessible->children);
   g_array_unref (accessible->selected);
   g_free (accessible->name);
@@ -141,6 +166,7 @@ canvas_accessible_class_init (CanvasAccessibleClass *class)
   AtkObjectClass *atk_class = ATK_OBJECT_CLASS (class);
 
   G_OBJECT_CLASS (class)->finalize = canvas_accessible_finalize;
+  GTK_ACCESSIBLE_CLASS (class)->widget_unset = canvas_accessible_widget_unset;
   atk_class->initialize = canvas_accessible_initialize;
   atk_class->get_name = canvas_accessible_get_name;
   atk_class->get_description = canvas_accessible_get_description;

@@ -9,7 +9,7 @@
 
 struct _CanvasChild {
   AtkObject parent_instance;
-  Canvas *canvas; /* weak: NULL once detached */
+  Canvas *canvas; /* borrowed: NULL once detached */
   Object object;
   gboolean was_selected; /* as was told last */
   char *name;
@@ -278,7 +278,7 @@ canvas_child_new (Canvas *canvas, Object object)
 {
   CanvasChild *child = g_object_new (CANVAS_CHILD_TYPE, NULL);
 
-  g_set_weak_pointer (&child->canvas, canvas);
+  child->canvas = canvas;
   child->object = object;
   child->was_selected = is_selected (child);
   atk_object_set_role (ATK_OBJECT (child), object.kind == OBJECT_SITE
@@ -290,7 +290,7 @@ canvas_child_new (Canvas *canvas, Object object)
 void
 canvas_child_detach (CanvasChild *child, gboolean is_told)
 {
-  g_clear_weak_pointer (&child->canvas);
+  child->canvas = NULL;
   if (is_told)
     atk_object_notify_state_change (ATK_OBJECT (child), ATK_STATE_DEFUNCT,
                                     TRUE);
@@ -301,7 +301,6 @@ canvas_child_finalize (GObject *object)
 {
   CanvasChild *child = HULL2VD_CANVAS_CHILD (object);
 
-  g_clear_weak_pointer (&child->canvas);
   g_free (child->name);
   G_OBJECT_CLASS (canvas_child_parent_class)->finalize (object);
 }

@@ -13,6 +13,8 @@ G_BEGIN_DECLS
 G_DECLARE_FINAL_TYPE (
     CanvasChild, canvas_child, HULL2VD, CANVAS_CHILD, AtkObject)
 
+/* @canvas is borrowed until it is detached, which it must be before the canvas
+ * goes. */
 AtkObject *canvas_child_new (Canvas *canvas, Object object);
 
 /* The object is no more; whoever still holds the child can see it, and is told
