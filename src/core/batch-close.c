@@ -108,13 +108,15 @@ border_clear (Border *border)
   free (border->edges);
 }
 
-/* The upper facets of sites on one circle: a fan round the first. */
+/* The upper facets of sites on one circle, of which there is no hull: a fan
+ * round the first. */
 static void
 make_fan (Batch *fan, uint32_t n_corners)
 {
   const uint32_t n = n_corners - 2;
   uint32_t i;
 
+  free (fan->facets);
   fan->facets = memory_new (n, sizeof *fan->facets);
   fan->n_facets = n;
   for (i = 0; i < n; i++)
