@@ -1,5 +1,7 @@
 /* A session at the stops of a lesson. */
+#include "action.h"
 #include "object-name.h"
+#include "same-session.h"
 #include "session.h"
 
 #include <string.h>
@@ -355,6 +357,43 @@ test_a_lesson_outlives_its_first_owner (void)
 }
 
 static void
+test_nothing_of_a_lesson_is_left_over_own_sites (void)
+{
+  static const char all_else[]
+      = "# A lesson\n\n```lesson\nformat 1\n"
+        "sites -1 -0.5; 1 -0.8125; 0.75 0.8125; -0.9375 0.5625; 0 0\n"
+        "theme dark\n```\n\n## One\n\n```steps\n"
+        "order input\nhide hull\nhide delaunay\nshow circumcircles\n"
+        "view planar\nviews plane\nlisting hull-2004\nfocus visible\n"
+        "camera look-up\nlift 0.5\nraise 2\nopacity plane 0.25\n"
+        "opacity upper 0.5\n```\n";
+  static const Site sites[] = { { 0, 0 }, { 4, 1 }, { 1, 3 }, { 2, 2 } };
+  g_autoptr (GError) error = NULL;
+  g_autoptr (Lesson) lesson
+      = lesson_parse (all_else, strlen (all_else), "lesson.md", &error);
+
+  g_assert_no_error (error);
+  for (guint opens = 0; opens < 2; opens++) {
+    g_autoptr (Session) session = session_new (), fresh = session_new ();
+
+    session_set_lesson (session, lesson);
+    if (!opens)
+      g_assert_true (action_run (session, "new", NULL, &error));
+    for (guint i = 0; i < 2; i++) {
+      Session *either = i == 0 ? session : fresh;
+
+      g_assert_true (opens ? session_open_sites (
+                         either, sites, G_N_ELEMENTS (sites), "sites", &error)
+                           : session_set_sites (either, sites,
+                                                G_N_ELEMENTS (sites), &error));
+      session_fit (either);
+    }
+    g_assert_cmpint (session_get_order (session).kind, ==, ORDER_FURTHEST);
+    assert_same_session (session, fresh);
+  }
+}
+
+static void
 test_playing_a_lesson_goes_from_stop_to_stop (void)
 {
   g_autoptr (Session) session = new_session ();
@@ -403,6 +442,8 @@ static const struct {
     test_next_from_before_the_first_stop_leads_to_it },
   { "/stops/a-lesson-outlives-its-first-owner",
     test_a_lesson_outlives_its_first_owner },
+  { "/stops/nothing-of-a-lesson-is-left-over-own-sites",
+    test_nothing_of_a_lesson_is_left_over_own_sites },
   { "/stops/playing-a-lesson-goes-from-stop-to-stop",
     test_playing_a_lesson_goes_from_stop_to_stop },
 };

@@ -117,8 +117,8 @@ ACTION_RUN (action_sites)
 
 ACTION_RUN (action_new)
 {
-  session_set_lesson (session, NULL);
-  return session_set_sites (session, NULL, 0, error);
+  return session_open_sites (session, NULL, 0, _ ("removal of all sites"),
+                             error);
 }
 
 ACTION_RUN (action_undo)

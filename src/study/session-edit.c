@@ -98,6 +98,15 @@ session_copy_sites (Session *session)
   return run_given (session->run);
 }
 
+/* A file that takes a lesson's place is not inserted in the lesson's order. */
+static Order
+order_of (Session *session, EditKind kind)
+{
+  return kind == EDIT_OPEN && session->lesson != NULL
+             ? (Order){ ORDER_FURTHEST, 0 }
+             : session->run->trace->order;
+}
+
 static Edit
 edit_of (Session *session,
          EditKind kind,
@@ -108,7 +117,7 @@ edit_of (Session *session,
   return (Edit){ .kind = kind,
                  .sites = sites,
                  .n_sites = n_sites,
-                 .order = session->run->trace->order,
+                 .order = order_of (session, kind),
                  .name = name };
 }
 

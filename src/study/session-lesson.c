@@ -113,6 +113,14 @@ first_state (const LessonStop *stop)
   return stop->ask_state != NULL ? stop->ask_state : stop->state;
 }
 
+/* What it has hidden, faded or put beside goes with it. */
+static void
+leave_lesson (Session *session)
+{
+  session_clear_staging (session);
+  session_tell_theme (session, THEME_UNTOLD);
+}
+
 static void
 put_lesson (Session *session, Lesson *lesson)
 {
@@ -126,7 +134,7 @@ put_lesson (Session *session, Lesson *lesson)
                  first_state (lesson_stop (lesson_ref (lesson), 0)),
                  _ ("opening of a lesson"));
   else
-    session_tell_theme (session, THEME_UNTOLD);
+    leave_lesson (session);
   session->lesson = lesson;
   session->stop = 0;
   session_question_forget (session);

@@ -43,3 +43,21 @@ session_put_staging (Session *session,
   if (from == NULL || from->listing != state->listing)
     session_set_listing (session, state->listing);
 }
+
+void
+session_clear_staging (Session *session)
+{
+  Camera home;
+
+  camera_init (&home, CAMERA_HOME);
+  session_hold (session);
+  session_set_exhibit_kind (session, EXHIBIT_LIFTS);
+  session_set_views (session, VIEWS_BOTH);
+  session_set_listing (session, LISTING_QUICKHULL);
+  session_set_layers (session, LAYERS_DEFAULT);
+  session_set_focus (session, FOCUS_ACTIVE);
+  session_set_measured (session, (Object){ OBJECT_NONE, 0 });
+  session_reset_look (session);
+  session_set_camera (session, &home);
+  session_release (session);
+}

@@ -343,7 +343,8 @@ void session_fit (Session *session);
  * camera that a person has turned is kept until the lesson turns it.
  *
  * While the sites are the lesson's, the stop follows the step: stepping or
- * scrubbing past a stop enters it. */
+ * scrubbing past a stop enters it. Who leaves it for no lesson finds all that
+ * a new session shows. */
 void session_set_lesson (Session *session, Lesson *lesson); /* or NULL */
 Lesson *session_get_lesson (Session *session);              /* NULL: none */
 
