@@ -1,6 +1,7 @@
 #include "coordinate-entry.h"
 
 #include "number.h"
+#include "site-edit.h"
 #include "site-file.h"
 
 #include <glib/gi18n.h>
@@ -63,6 +64,8 @@ on_activate (GtkEntry *entry, CoordinateEntry *self)
   gtk_entry_set_text (entry, "");
   if (self->moves)
     gtk_popover_popdown (GTK_POPOVER (self));
+  else if (!session_is_working (canvas_get_session (self->canvas), NULL))
+    site_edit_go_to_last (self->canvas);
 }
 
 static void

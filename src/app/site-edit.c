@@ -27,7 +27,18 @@ site_edit_add (Canvas *canvas, Point3 point)
   }
   if (session_is_working (session, NULL))
     return;
-  /* Its number is the last one. */
+  site_edit_go_to_last (canvas);
+}
+
+void
+site_edit_go_to_last (Canvas *canvas)
+{
+  Session *session = canvas_get_session (canvas);
+  guint n_selected;
+
+  session_get_selected_sites (session, &n_selected);
+  if (n_selected > 0)
+    session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   canvas_set_cursor (
       canvas, (Object){ OBJECT_SITE, session_get_set (session)->n_sites - 1 });
 }

@@ -11,8 +11,12 @@ G_BEGIN_DECLS
  *          plane scene. */
 Site site_edit_at (Session *session, Point3 point);
 
-/* Adds a site there, and puts the cursor on it. */
+/* Adds a site there, and goes to it. */
 void site_edit_add (Canvas *canvas, Point3 point);
+
+/* Puts the cursor on the last site, just added, and lets go of those that are
+ * selected: what is deleted now is what can be seen to be meant. */
+void site_edit_go_to_last (Canvas *canvas);
 
 /* Moves a site there; when it is selected, the other selected ones with it. */
 void site_edit_move (Canvas *canvas, guint site, Point3 point);
