@@ -100,6 +100,8 @@ on_clipboard_text (GtkClipboard *clipboard, const char *text, gpointer user)
   else if (!point_import_text (window->session, text, _ ("clipboard"),
                                _ ("paste"), &error))
     hull2vd_window_say (window, error->message);
+  else
+    gtk_info_bar_set_revealed (window->info_bar, FALSE);
 }
 
 static void
