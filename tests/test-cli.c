@@ -70,14 +70,17 @@ static const Row refusals[] = {
   { "trace none.txt", 66, "none.txt: No such file" },
   { "replay none.md", 66, "none.md: No such file" },
   { "export -o a.svg none.txt", 66, "none.txt: No such file" },
-  { "compute -o no/such/a.json five.txt", 73, "no/such/a.json: " },
+  { "compute -o no/such/a.json five.txt", 73,
+    "no/such/a.json: No such file or directory" },
   { "compute -o /dev/full five.txt", 73, "/dev/full: No space left" },
   { "compute five.txt >/dev/full", 73, "hull2vd-cli: cannot write: No space" },
   { "trace five.txt >/dev/full", 73, "hull2vd-cli: cannot write" },
   { "replay good.md >/dev/full", 73, "hull2vd-cli: cannot write" },
   { "actions >/dev/full", 73, "hull2vd-cli: cannot write" },
   { "--help >/dev/full", 73, "hull2vd-cli: cannot write" },
-  { "export -o no/such/a.svg five.txt", 73, "no/such/a.svg: " },
+  { "export -o no/such/a.svg five.txt", 73,
+    "no/such/a.svg: No such file or directory" },
+  { "results no/such.json", 66, "no/such.json: No such file or directory" },
 };
 
 static void

@@ -12,6 +12,9 @@
 #include <string.h>
 #include <sys/stat.h>
 
+/* As many reasons as Linux has. */
+#define ERRNO_MAX 133
+
 G_DEFINE_QUARK (document - error - quark, document_error)
 
 gboolean
@@ -172,6 +175,16 @@ document_save (Session *session, const char *path, GError **error)
   return document_write (path, text, strlen (text), error);
 }
 
+const char *
+document_reason (const GError *error)
+{
+  if (error->domain == G_FILE_ERROR && error->code != G_FILE_ERROR_FAILED)
+    for (int reason = 1; reason <= ERRNO_MAX; reason++)
+      if ((int)g_file_error_from_errno (reason) == error->code)
+        return g_strerror (reason);
+  return error->message;
+}
+
 /* Writes to what is not a file: a device or a pipe. */
 static gboolean
 write_through (const char *path,
@@ -222,6 +235,6 @@ document_write (const char *path,
     return TRUE;
   shown = display_path (path);
   g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_CANNOT_WRITE, "%s: %s",
-               shown, reason->message);
+               shown, document_reason (reason));
   return FALSE;
 }

@@ -46,6 +46,12 @@ char *document_copy (Session *session);
 /* Saves the sites as a points file, whole or not at all. */
 gboolean document_save (Session *session, const char *path, GError **error);
 
+/* Why, without the name that GLib has put into the message: it may be that of
+ * a temporary file.
+ *
+ * Returns: (transfer none): of @error, or what outlives it. */
+const char *document_reason (const GError *error);
+
 /* Puts @length bytes at @path whole or not at all: a temporary file in the
  * same folder takes its place. A symbolic link is followed, the mode of an
  * existing file kept; what is not a regular file is written to.

@@ -354,7 +354,7 @@ progress_read (Progress *progress, GError **error)
                  g_error_matches (reason, G_FILE_ERROR, G_FILE_ERROR_NOENT)
                      ? PROGRESS_ERROR_MISSING
                      : PROGRESS_ERROR_CANNOT_OPEN,
-                 "%s: %s", shown, reason->message);
+                 "%s: %s", shown, document_reason (reason));
     return FALSE;
   }
   if (parse (&reading, text, length, progress))
