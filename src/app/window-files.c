@@ -1,5 +1,6 @@
 #include "window-private.h"
 
+#include "action.h"
 #include "document.h"
 #include "file-dialogs.h"
 #include "lesson-copy.h"
@@ -110,8 +111,7 @@ begin_anew (Hull2vdWindow *window, const char *path)
   (void)path;
   g_clear_pointer (&window->path, g_free);
   window->is_foreign = FALSE;
-  session_set_lesson (window->session, NULL);
-  session_set_sites (window->session, NULL, 0, NULL);
+  action_run (window->session, "new", NULL, NULL);
   watch_lesson (window);
   remember_saved (window);
   gtk_info_bar_set_revealed (window->info_bar, FALSE);
@@ -131,6 +131,7 @@ window_files_adapt (Hull2vdWindow *window)
   g_autofree char *folder = lesson_copy_folder ();
   g_autofree char *path = NULL, *message = NULL;
   g_autoptr (GError) error = NULL;
+  const guint stop = session_get_stop (window->session);
 
   if (lesson == NULL)
     return;
@@ -141,6 +142,7 @@ window_files_adapt (Hull2vdWindow *window)
   }
   if (!window_files_load (window, path))
     return;
+  session_set_stop (window->session, stop);
   message = g_strdup_printf (
       _ ("This is your own copy, %s. Change it in any editor: what you save is "
          "shown at once."),
@@ -264,6 +266,8 @@ drop_text (Hull2vdWindow *window, const char *text)
   if (!point_import_text (window->session, text, _ ("dropped text"), _ ("drop"),
                           &error))
     hull2vd_window_say (window, error->message);
+  else
+    gtk_info_bar_set_revealed (window->info_bar, FALSE);
 }
 
 static void
