@@ -3,6 +3,7 @@
 #include "config.h"
 #include "document.h"
 #include "lesson.h"
+#include "picture.h"
 
 #include <errno.h>
 #include <glib/gi18n.h>
@@ -44,6 +45,22 @@ cli_usage (const CliCommand *command, const char *format, ...)
   cli_say ("hull2vd-cli: %s", reason);
   print_usage (command);
   return CLI_USAGE;
+}
+
+gboolean
+cli_pdf (const CliCommand *command, const char *path)
+{
+  PictureFormat format = PICTURE_PDF;
+
+  if (path == NULL) {
+    cli_usage (command, _ ("which file to write? -o FILE.pdf"));
+    return FALSE;
+  }
+  picture_format_of (path, &format);
+  if (format != PICTURE_PDF)
+    cli_usage (command, _ ("%s: a PDF file is written: its name ends in .pdf"),
+               path);
+  return format == PICTURE_PDF;
 }
 
 static gboolean

@@ -61,6 +61,10 @@ gboolean cli_parse (const CliCommand *command,
 CliStatus cli_usage (const CliCommand *command, const char *format, ...)
     G_GNUC_PRINTF (2, 3);
 
+/* Whether a PDF file may be written to @path, what -o says or NULL: not where
+ * the name is that of another picture. If not, it has been said. */
+gboolean cli_pdf (const CliCommand *command, const char *path);
+
 /* Reads an option's whole number; NULL is no number.
  *
  * Returns: FALSE after the reason and the usage line are on stderr. */

@@ -230,14 +230,25 @@ goto_round (Session *session, const Options *options)
 }
 
 static gboolean
+goto_stop (Session *session, const Options *options)
+{
+  if (session_get_n_stops (session) == 0) {
+    cli_say (_ ("%s: points have no stops, only a lesson has"),
+             options->paths[0]);
+    return FALSE;
+  }
+  return (options->number >= 1
+          && session_set_stop (session, options->number - 1))
+         || refuse_moment (options, "stop", session_get_n_stops (session));
+}
+
+static gboolean
 goto_moment (Session *session, const Options *options)
 {
   const guint last = session_get_n_steps (session);
 
   if (options->stop != NULL)
-    return (options->number >= 1
-            && session_set_stop (session, options->number - 1))
-           || refuse_moment (options, "stop", session_get_n_stops (session));
+    return goto_stop (session, options);
   if (options->commands == NULL)
     session_last (session);
   if (options->round != NULL)

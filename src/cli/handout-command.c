@@ -35,14 +35,6 @@ parse_paper (const CliCommand *command, Options *options)
   return options->handout.paper != NULL;
 }
 
-static gboolean
-parse_output (const CliCommand *command, const Options *options)
-{
-  if (options->output == NULL)
-    cli_usage (command, _ ("which file to write? -o FILE.pdf"));
-  return options->output != NULL;
-}
-
 /* Layers and camera are the lesson's. */
 static gboolean
 parse_look (const CliCommand *command, Options *options)
@@ -87,7 +79,7 @@ options_parse (Options *options,
     return FALSE;
   options->handout.has_stops = options->is_full || options->handout.has_notes
                                || options->handout.has_blanks;
-  return parse_output (command, options) && parse_paper (command, options)
+  return cli_pdf (command, options->output) && parse_paper (command, options)
          && parse_look (command, options);
 }
 

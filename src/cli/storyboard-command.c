@@ -36,10 +36,8 @@ options_parse (Options *options,
   if (!cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,
                   &options->paths))
     return FALSE;
-  if (options->output == NULL) {
-    cli_usage (command, _ ("which file to write? -o FILE.pdf"));
+  if (!cli_pdf (command, options->output))
     return FALSE;
-  }
   appearance_init (&options->appearance);
   return cli_look (command, &options->look, &options->appearance, &layers,
                    &camera);
