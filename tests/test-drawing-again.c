@@ -39,16 +39,10 @@ sequence_clear (Sequence *sequence)
 }
 
 static gboolean
-is_same_colour (Colour a, Colour b)
-{
-  return memcmp (&a, &b, sizeof a) == 0;
-}
-
-static gboolean
 is_same_style (const Style *a, const Style *b)
 {
-  return is_same_colour (a->fill, b->fill) && is_same_colour (a->line, b->line)
-         && is_same_colour (a->halo, b->halo) && a->hatch == b->hatch
+  return colour_equal (a->fill, b->fill) && colour_equal (a->line, b->line)
+         && colour_equal (a->halo, b->halo) && a->hatch == b->hatch
          && a->mark == b->mark && a->width == b->width && a->dash == b->dash
          && a->gap == b->gap && a->casing == b->casing && a->radius == b->radius
          && a->ring_gap == b->ring_gap && a->halo_width == b->halo_width;

@@ -183,12 +183,13 @@ write_lessons (void *name)
 static void
 test_programs_that_write_at_once_lose_nothing (void)
 {
-  GThread *other = g_thread_new ("other", write_lessons, (char *)"b");
+  g_autoptr (GThread) other
+      = g_thread_new ("other", write_lessons, (char *)"b");
   g_autofree char *path = learner_file ("progress.json");
   g_autoptr (Progress) progress = progress_new (path);
 
   write_lessons ((char *)"a");
-  g_thread_join (other);
+  g_thread_join (g_steal_pointer (&other));
   g_assert_true (progress_read (progress, NULL));
   g_assert_cmpuint (progress->lessons->len, ==, 2 * N_AT_ONCE);
 }

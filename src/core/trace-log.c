@@ -50,7 +50,9 @@ fit (void *rows, size_t n, size_t size)
 {
   void *fitting = realloc (rows, n > 0 ? n * size : 1);
 
-  return fitting == NULL ? rows : fitting;
+  if (fitting != NULL)
+    rows = fitting;
+  return rows;
 }
 
 void

@@ -81,7 +81,7 @@ is_beside (const Coverage *coverage,
            double reach)
 {
   const PixelClip *clip = &coverage->clip;
-  double left = pixels[0].x, top = pixels[0].y, bottom = pixels[0].y;
+  double left = pixels[0].x, top = pixels[0].y, bottom = top;
   uint32_t i;
 
   for (i = 1; i < n; i++) {

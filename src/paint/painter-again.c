@@ -173,9 +173,9 @@ find_name (const Drawing *before, uint32_t from, const PlacedName *placed)
   for (i = from; i < before->n_placed && i < from + AHEAD; i++) {
     const PlacedName *other = &before->placed[i];
 
-    if (other->name == placed->name
-        && memcmp (&other->at, &placed->at, sizeof other->at) == 0
-        && memcmp (&other->colour, &placed->colour, sizeof other->colour) == 0)
+    if (other->name == placed->name && other->at.x == placed->at.x
+        && other->at.y == placed->at.y
+        && colour_equal (other->colour, placed->colour))
       return i;
   }
   return INDEX_NONE;

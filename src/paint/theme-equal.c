@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-static bool
+bool
 colour_equal (Colour a, Colour b)
 {
   return a.red == b.red && a.green == b.green && a.blue == b.blue

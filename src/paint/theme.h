@@ -80,6 +80,7 @@ const Theme *theme_get (ThemeKind kind);
 void theme_init (Theme *theme, const Appearance *appearance);
 
 /* Returns: whether all looks the same in both. */
+bool colour_equal (Colour a, Colour b);
 bool theme_equal (const Theme *a, const Theme *b);
 
 /* The style of @item: its role's, made pale or loud, lit or not. Cells take

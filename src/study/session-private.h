@@ -249,10 +249,6 @@ void session_put_staging (Session *session,
                           const StopState *from,
                           const StopState *state);
 
-/* Shows of the sites what a new session does: who leaves a lesson finds
- * nothing hidden that it has hidden. */
-void session_clear_staging (Session *session);
-
 /* Shows of the sites what a new session shows: nothing stays hidden because a
  * lesson has hidden it. */
 void session_clear_staging (Session *session);
