@@ -170,8 +170,12 @@ class Program:
         found = Atspi.Collection.get_matches(
             node, rule, Atspi.CollectionSortOrder.CANONICAL, 0, True)
         for child in found:
-            if (name in (None, child.get_name())) and (
-                    contains is None or contains in child.get_name()):
+            try:
+                title = child.get_name()
+            except GLib.Error:  # gone since
+                continue
+            if name in (None, title) and (
+                    contains is None or contains in title):
                 return child
         return None
 
