@@ -170,13 +170,17 @@ enqueue_all (HullBuilder *b)
     outside_enqueue (b, facet);
 }
 
-/* Hands out the sites, and lets the facets that they wait at wait. */
+/* Before sites are handed out, and after. */
 static void
-partition (HullBuilder *b, void (*hand_out) (HullBuilder *b))
+begin_partition (HullBuilder *b)
 {
   if (HULL_IS_LOWER)
     b->head_fronts = memory_new (b->n_facets, sizeof *b->head_fronts);
-  hand_out (b);
+}
+
+static void
+end_partition (HullBuilder *b)
+{
   free (b->head_fronts);
   enqueue_all (b);
 }
@@ -190,7 +194,9 @@ outside_partition (HullBuilder *b)
       = memory_new ((size_t)b->n_sites + 1, sizeof *b->next_outside);
   if (b->n_listed > 0)
     b->claimed_by = memory_new (b->n_sites, sizeof *b->claimed_by);
-  partition (b, partition_over_simplex);
+  begin_partition (b);
+  partition_over_simplex (b);
+  end_partition (b);
 }
 
 /* Puts the young facets onto the stack when they are many, and goes on with
@@ -301,7 +307,9 @@ outside_next_facet (HullBuilder *b)
     b->walks = false;
     b->next_outside
         = memory_new ((size_t)b->n_sites + 1, sizeof *b->next_outside);
-    partition (b, partition_by_walking);
+    begin_partition (b);
+    partition_by_walking (b);
+    end_partition (b);
   }
   if (b->next_outside == NULL)
     return INDEX_NONE;
