@@ -10,6 +10,9 @@
 #define MAX_SITES 10000000u
 #define BYTE_ORDER_MARK "\xef\xbb\xbf"
 
+/* The marker of strings to translate. */
+#define N_(text) text
+
 static bool
 is_blank (char byte)
 {
@@ -64,10 +67,10 @@ static const char *
 control_fault (unsigned char byte)
 {
   if (byte == '\0')
-    return "a NUL byte";
+    return N_ ("a NUL byte");
   if (byte == '\r')
-    return "a carriage return without a line feed after it";
-  return "a control byte";
+    return N_ ("a carriage return without a line feed after it");
+  return N_ ("a control byte");
 }
 
 /* Returns: why the bytes of a line are no text, or NULL. */
@@ -81,7 +84,7 @@ bytes_fault (const char *line, size_t length)
     const size_t n = character_length (bytes + i, length - i);
 
     if (n == 0)
-      return "not UTF-8 text";
+      return N_ ("not UTF-8 text");
     if ((bytes[i] < 0x20 && bytes[i] != '\t') || bytes[i] == 0x7f)
       return control_fault (bytes[i]);
     i += n;
@@ -93,10 +96,10 @@ static const char *
 number_fault (double number)
 {
   if (isnan (number))
-    return "expected two decimal numbers such as -1.5 2e3";
+    return N_ ("expected two decimal numbers such as -1.5 2e3");
   if (isinf (number))
-    return "a number is too large";
-  return "a number is too near to zero";
+    return N_ ("a number is too large");
+  return N_ ("a number is too near to zero");
 }
 
 /* Skips blanks with at most one comma or semicolon among them.
@@ -123,18 +126,18 @@ parse_pair (const char *line, const char *end, Site *site)
   if (next == NULL)
     return number_fault (site->x);
   if (skip_blanks (next, end) == end)
-    return "expected two numbers, found only one";
+    return N_ ("expected two numbers, found only one");
   next = skip_separator (next, end);
   if (next == NULL)
-    return "the first number is not a decimal number";
+    return N_ ("the first number is not a decimal number");
   if (*next == ',' || *next == ';')
-    return "two separators between the numbers";
+    return N_ ("two separators between the numbers");
 
   next = number_parse (next, &site->y);
   if (next == NULL)
     return number_fault (site->y);
   if (skip_blanks (next, end) != end)
-    return "expected nothing after the second number";
+    return N_ ("expected nothing after the second number");
   return NULL;
 }
 
@@ -181,9 +184,9 @@ static const char *
 reader_add (SiteReader *reader, const Site *site)
 {
   if (reader->n_sites == MAX_SITES)
-    return "more than 10000000 sites";
+    return N_ ("more than 10000000 sites");
   if (!site_range_add (&reader->range, site))
-    return "too large or too small beside the numbers before it";
+    return N_ ("too large or too small beside the numbers before it");
   if (reader->n_sites == reader->room)
     reader->sites = memory_grow (reader->sites, &reader->room,
                                  reader->n_sites + 1, sizeof *reader->sites);

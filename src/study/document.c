@@ -38,10 +38,10 @@ document_parse_points (const char *text,
   shown = display_path (name);
   if (fault.line == 0)
     g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_REFUSED, "%s: %s", shown,
-                 fault.reason);
+                 _ (fault.reason));
   else
     g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_REFUSED, "%s:%u: %s",
-                 shown, fault.line, fault.reason);
+                 shown, fault.line, _ (fault.reason));
   return NULL;
 }
 

@@ -154,16 +154,17 @@ parse_rows (const char *text,
   SiteFileError fault;
   SiteSet *set
       = site_file_parse (text + head->length, length - head->length, &fault);
+  g_autofree char *announced = NULL;
   g_autofree char *reason = NULL;
 
   if (set == NULL)
     return refuse (name, fault.line == 0 ? 0 : head->n_lines + fault.line,
-                   fault.reason, error);
+                   _ (fault.reason), error);
   if (head->count_line == 0 || head->n_rows == set->n_sites)
     return set;
-  reason = g_strdup_printf ("%" G_GUINT64_FORMAT
-                            " points are announced, but %u follow",
-                            head->n_rows, set->n_sites);
+  announced = g_strdup_printf ("%" G_GUINT64_FORMAT, head->n_rows);
+  reason = g_strdup_printf (_ ("%s points are announced, but %u follow"),
+                            announced, set->n_sites);
   site_set_free (set);
   return refuse (name, head->count_line, reason, error);
 }
@@ -189,7 +190,7 @@ point_import_parse (const char *text,
     *is_foreign = has_headings || has_counts;
   if (has_counts && dimension != 2)
     return refuse (name, head.count_line,
-                   "points of two dimensions are expected", error);
+                   _ ("points of two dimensions are expected"), error);
   return parse_rows (text, length, &head, name, error);
 }
 
