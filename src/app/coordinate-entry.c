@@ -9,7 +9,7 @@
 
 struct _CoordinateEntry {
   GtkPopover parent_instance;
-  Canvas *canvas; /* borrowed: it is older */
+  Canvas *canvas; /* weak: NULL when it goes */
   gboolean moves; /* else it adds */
   guint site;     /* that it moves */
   GtkLabel *title, *fault;
@@ -80,7 +80,8 @@ static void
 on_closed (CoordinateEntry *self, gpointer user)
 {
   (void)user;
-  gtk_widget_grab_focus (GTK_WIDGET (self->canvas));
+  if (self->canvas != NULL)
+    gtk_widget_grab_focus (GTK_WIDGET (self->canvas));
 }
 
 static void
@@ -128,10 +129,18 @@ coordinate_entry_move (CoordinateEntry *self, guint site)
 }
 
 static void
+coordinate_entry_dispose (GObject *object)
+{
+  g_clear_weak_pointer (&HULL2VD_COORDINATE_ENTRY (object)->canvas);
+  G_OBJECT_CLASS (coordinate_entry_parent_class)->dispose (object);
+}
+
+static void
 coordinate_entry_class_init (CoordinateEntryClass *class)
 {
   GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (class);
 
+  G_OBJECT_CLASS (class)->dispose = coordinate_entry_dispose;
   gtk_widget_class_set_template_from_resource (
       widget_class, "/io/github/hull2vd/Hull2VD/coordinate-entry.ui");
   gtk_widget_class_bind_template_child (widget_class, CoordinateEntry, title);
@@ -154,6 +163,6 @@ coordinate_entry_new (PlaneView *view)
   CoordinateEntry *self
       = g_object_new (COORDINATE_ENTRY_TYPE, "relative-to", view, NULL);
 
-  self->canvas = HULL2VD_CANVAS (view);
+  g_set_weak_pointer (&self->canvas, HULL2VD_CANVAS (view));
   return self;
 }

@@ -1,6 +1,7 @@
 #include "hull2vd-application.h"
 
 #include "action.h"
+#include "keys.h"
 #include "lesson-list.h"
 #include "progress-keeper.h"
 #include "window-private.h"
@@ -48,18 +49,16 @@ set_accelerators (GtkApplication *application)
 
   for (guint i = 0; i < n_actions; i++) {
     g_autofree char *name = NULL;
-    g_auto (GStrv) keys = NULL;
 
-    if (actions[i].keys == NULL || (actions[i].where & ACTION_IN_WINDOW) == 0
+    if ((actions[i].where & ACTION_IN_WINDOW) == 0
         || actions[i].parameter != NULL)
       continue;
     name = g_strconcat ("win.", actions[i].name, NULL);
-    keys = g_strsplit (actions[i].keys, " ", -1);
     gtk_application_set_accels_for_action (application, name,
-                                           (const char *const *)keys);
+                                           keys_of (&actions[i]));
   }
-  gtk_application_set_accels_for_action (
-      application, "app.quit", (const char *const[]){ "<Primary>q", NULL });
+  gtk_application_set_accels_for_action (application, "app.quit",
+                                         keys_of (action_find ("quit")));
 }
 
 static void
@@ -89,6 +88,7 @@ hull2vd_application_startup (GApplication *application)
   load_style ();
   g_action_map_add_action_entries (G_ACTION_MAP (application), entries,
                                    G_N_ELEMENTS (entries), application);
+  keys_check ();
   set_accelerators (GTK_APPLICATION (application));
 }
 

@@ -168,6 +168,8 @@ hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
   GtkWindow *window = GTK_WINDOW (widget);
   Session *session = HULL2VD_WINDOW (widget)->session;
 
+  if (window_blank_key (HULL2VD_WINDOW (widget), event))
+    return TRUE;
   if (event->keyval == GDK_KEY_Escape && session_is_working (session, NULL)) {
     session_cancel (session);
     return TRUE;
@@ -316,6 +318,7 @@ hull2vd_window_init (Hull2vdWindow *window)
   window_menus_init (window);
   window_files_init (window);
   window_space_init (window);
+  window_blank_add (window, GTK_WIDGET (window));
   tooltips_add (GTK_WIDGET (window));
   hull2vd_window_update_title (window);
   update_hints (window);

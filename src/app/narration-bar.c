@@ -1,5 +1,6 @@
 #include "narration-bar.h"
 
+#include "announcement.h"
 #include "narration-markup.h"
 
 #include <glib/gi18n.h>
@@ -55,19 +56,15 @@ place_text (Session *session)
                           place.round, phase);
 }
 
-/* Readers of the screen say each step once, whatever has the focus. */
+/* Each step once. */
 static void
-announce (NarrationBar *bar, const char *sentence)
+tell (NarrationBar *bar, const char *sentence)
 {
-  AtkObject *accessible
-      = gtk_widget_get_accessible (GTK_WIDGET (bar->sentence));
-
   if (g_strcmp0 (bar->told, sentence) == 0)
     return;
   g_free (bar->told);
   bar->told = g_strdup (sentence);
-  if (g_signal_lookup ("announcement", G_OBJECT_TYPE (accessible)) != 0)
-    g_signal_emit_by_name (accessible, "announcement", sentence);
+  announce (GTK_WIDGET (bar->sentence), sentence);
 }
 
 static const Theme *
@@ -112,7 +109,7 @@ update (NarrationBar *bar, gboolean is_only_look)
   place = place_text (bar->session);
   gtk_label_set_markup (bar->sentence, markup);
   gtk_label_set_text (bar->place, place);
-  announce (bar, sentence);
+  tell (bar, sentence);
 }
 
 static void

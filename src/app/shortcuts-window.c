@@ -1,6 +1,7 @@
 #include "shortcuts-window.h"
 
 #include "action.h"
+#include "keys.h"
 
 #include <glib/gi18n.h>
 
@@ -13,7 +14,7 @@ static const struct {
   { N_ ("Sites"), "select delete undo redo nudge copy paste add move-site snap "
                   "generate" },
   { N_ ("Pictures"), "layer camera fit zoom" },
-  { N_ ("Panels"), "panel fullscreen" },
+  { N_ ("Panels"), "panel fullscreen blank" },
   { N_ ("Files and window"), "" },
 };
 
@@ -160,9 +161,12 @@ add_actions (GtkWidget *section, guint group)
   guint n_actions;
   const Action *actions = action_table (&n_actions);
 
-  for (guint i = 0; i < n_actions; i++)
-    if (actions[i].keys != NULL && group_of (&actions[i]) == group)
-      add_shortcut (container, actions[i].keys, _ (actions[i].sentence));
+  for (guint i = 0; i < n_actions; i++) {
+    g_autofree char *keys = g_strjoinv (" ", (GStrv)keys_of (&actions[i]));
+
+    if (keys[0] != '\0' && group_of (&actions[i]) == group)
+      add_shortcut (container, keys, _ (actions[i].sentence));
+  }
 }
 
 /* Two columns beside each other need this much. */

@@ -1,6 +1,7 @@
 #include "tooltips.h"
 
 #include "action.h"
+#include "keys.h"
 
 #include <glib/gi18n.h>
 
@@ -8,13 +9,10 @@
 static char *
 key_text (const Action *action)
 {
-  g_auto (GStrv) keys = NULL;
+  const char *const *keys = keys_of (action);
   GdkModifierType modifiers;
   guint key;
 
-  if (action->keys == NULL)
-    return NULL;
-  keys = g_strsplit (action->keys, " ", -1);
   if (keys[0] == NULL)
     return NULL;
   gtk_accelerator_parse (keys[0], &key, &modifiers);

@@ -58,6 +58,8 @@ window_command_state (Hull2vdWindow *window, const char *name)
         gtk_widget_get_visible (GTK_WIDGET (window->narration_bar)));
   if (g_str_equal (name, "fullscreen"))
     return g_variant_new_boolean (is_fullscreen (window));
+  if (g_str_equal (name, "blank"))
+    return g_variant_new_boolean (window_blank_is_on (window));
   if (g_str_equal (name, "record"))
     return g_variant_new_boolean (window_record_is_on (window));
   if (g_str_equal (name, "detach-space"))
@@ -218,6 +220,7 @@ static const struct {
   { "close", run_close },
   { "quit", run_quit },
   { "fullscreen", run_fullscreen },
+  { "blank", window_blank_toggle },
   { "add-site-at", run_add_site_at },
   { "move-site-to", run_move_site_to },
   { "generate", run_generate },

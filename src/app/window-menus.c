@@ -65,6 +65,7 @@ static const MenuRow view_rows[] = {
   { N_ ("_Fit Both Pictures"), "fit" },
   { N_ ("_Space in Its Own Window"), "detach-space" },
   { N_ ("Full _Screen"), "fullscreen" },
+  { N_ ("_Black Screen"), "blank" },
   { NULL, NULL },
 };
 

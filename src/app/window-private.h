@@ -74,6 +74,7 @@ struct _Hull2vdWindow {
   NarrationBar *narration_bar;
   Transport *transport;
   gboolean shows_panel[N_PANELS];
+  gboolean is_blank;  /* the screen is black */
   gboolean is_placed; /* the divider stands where it was left */
 };
 
@@ -136,6 +137,14 @@ void window_theme_init (Hull2vdWindow *window);
 void window_space_init (Hull2vdWindow *window);
 void window_space_detach (Hull2vdWindow *window, gboolean detached);
 gboolean window_space_is_detached (Hull2vdWindow *window);
+
+/* window-blank.c: the screen is black, and so is every window that was added,
+ * until a key, a click or a touch. */
+void window_blank_add (Hull2vdWindow *window, GtkWidget *widget);
+void window_blank_toggle (Hull2vdWindow *window);
+gboolean window_blank_is_on (Hull2vdWindow *window);
+/* Returns: whether the key was for the black screen. */
+gboolean window_blank_key (Hull2vdWindow *window, const GdkEventKey *event);
 
 /* window-progress.c: what the person has done in lessons. */
 void window_progress_init (Hull2vdWindow *window);

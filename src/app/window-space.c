@@ -83,6 +83,8 @@ on_space_key (GtkWidget *widget, GdkEventKey *event, Hull2vdWindow *window)
 {
   GtkWidget *focus = gtk_window_get_focus (GTK_WINDOW (widget));
 
+  if (window_blank_key (window, event))
+    return TRUE;
   if (event->keyval == GDK_KEY_F11)
     toggle_fullscreen (widget);
   else if (!(hull2vd_window_focus_wants_key (focus, event)
@@ -141,6 +143,7 @@ make_window (Hull2vdWindow *window)
                     window);
   g_signal_connect (space, "key-press-event", G_CALLBACK (on_space_key),
                     window);
+  window_blank_add (window, space);
   return space;
 }
 

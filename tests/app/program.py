@@ -58,6 +58,7 @@ class Program:
     def __init__(self, *files, keeps_progress=False):
         if not keeps_progress:
             forget_progress()
+        self.errors = ""  # what it has printed when it ends
         self.bus = Gio.bus_get_sync(Gio.BusType.SESSION)
         xdotool("mousemove", 0, 0)
         wait(lambda: not self.is_on_bus(), "no other program")
@@ -76,7 +77,7 @@ class Program:
             print("#", self.process.communicate()[1].replace("\n", "\n# "))
             return
         try:
-            errors = self.quit()
+            self.errors = errors = self.quit()
         finally:
             self.process.kill()
         if self.process.returncode != 0 or "WARNING" in errors:
