@@ -44,6 +44,10 @@ static const Row refusals[] = {
   { "compute --round -1 five.txt", 64, "hull2vd-cli: --round needs a whole" },
   { "compute --round 99999999999 five.txt", 64, "hull2vd-cli: --round needs" },
   { "compute --order last five.txt", 64, "hull2vd-cli: there is no order" },
+  { "compute --seed 3 five.txt", 64, "hull2vd-cli: --seed needs --order" },
+  { "export --order input -o a.svg good.md", 1,
+    "good.md: --order is for points" },
+  { "replay - -", 64, "hull2vd-cli: replay: “-”, the standard input" },
   { "trace --detail all five.txt", 64, "hull2vd-cli: there is no detail" },
   { "replay", 64, "hull2vd-cli: replay: a file is missing\nusage: " },
   { "export five.txt", 64, "hull2vd-cli: which file to write?" },
@@ -173,6 +177,32 @@ test_dash_is_the_standard_input (void)
   script_run_in ("C", "0 0\n0 x\n", &refused, "compute -");
   g_assert_cmpint (refused.status, ==, 1);
   g_assert_true (g_str_has_prefix (refused.err, "-:2: "));
+}
+
+/* The same is done, and said under its name, whichever way a lesson comes. */
+static void
+test_dash_is_a_lesson_where_there_must_be_one (void)
+{
+  static const char *const lines[]
+      = { "replay %s", "lint %s", "storyboard -o s.pdf %s && md5sum <s.pdf",
+          "handout -o h.pdf %s && md5sum <h.pdf", "questions -f gift %s" };
+  g_autofree char *good = script_get ("good.md");
+  g_autofree char *broken = script_get ("broken.md");
+
+  for (guint i = 0; i < G_N_ELEMENTS (lines); i++) {
+    g_auto (ScriptResult) piped = { 0 }, read = { 0 }, refused = { 0 };
+    g_auto (GStrv) parts = g_strsplit (lines[i], "%s", -1);
+    g_autofree char *from_input = g_strjoinv ("-", parts);
+    g_autofree char *from_file = g_strjoinv ("good.md", parts);
+
+    script_run_in ("C", good, &piped, from_input);
+    script_run_in ("C", NULL, &read, from_file);
+    g_assert_cmpint (piped.status, ==, 0);
+    g_assert_true (g_str_equal (piped.out, read.out));
+    script_run_in ("C", broken, &refused, from_input);
+    g_assert_cmpint (refused.status, ==, 2);
+    g_assert_true (g_str_has_prefix (refused.err, "-:11:1: "));
+  }
 }
 
 static void
@@ -394,6 +424,8 @@ static const struct {
   { "/cli/every-order-gives-the-same-triangles",
     test_every_order_gives_the_same_triangles },
   { "/cli/dash-is-the-standard-input", test_dash_is_the_standard_input },
+  { "/cli/dash-is-a-lesson-where-there-must-be-one",
+    test_dash_is_a_lesson_where_there_must_be_one },
   { "/cli/outputs-are-whole-or-not-at-all",
     test_outputs_are_whole_or_not_at_all },
   { "/cli/trace-tells-events-phases-or-rounds",
@@ -423,6 +455,7 @@ test_results_are_written_whole_or_not_at_all (void)
 {
   g_auto (ScriptResult) csv = { 0 }, xapi = { 0 }, broken = { 0 };
   g_auto (ScriptResult) missing = { 0 }, usage = { 0 };
+  g_auto (ScriptResult) piped = { 0 };
 
   script_put ("good.json", PROGRESS);
   script_put ("broken.json", "{\"format\": 1,\n\"lessons\": oops");
@@ -431,6 +464,8 @@ test_results_are_written_whole_or_not_at_all (void)
   g_assert_true (g_str_has_suffix (
       csv.out, "\r\nAnn,a.md,\"A, B\",2,T,q,shown,3,2,1,1,0,4.5,"
                "1970-01-02T00:00:00Z\r\n"));
+  script_run_in ("C", PROGRESS, &piped, "results - --name Ann");
+  g_assert_cmpstr (piped.out, ==, csv.out);
   script_run (&xapi, "results good.json -f xapi");
   g_assert_nonnull (strstr (xapi.out, "\"scaled\":0.66"));
   g_assert_nonnull (strstr (xapi.out, "\"duration\":\"PT4.5S\""));

@@ -2,6 +2,7 @@
 
 #include "config.h"
 #include "document.h"
+#include "input.h"
 #include "lesson.h"
 #include "picture.h"
 
@@ -73,6 +74,20 @@ check_count (const CliCommand *command, CliCount count, guint n)
   return n >= count.least && n <= count.most;
 }
 
+/* What has been read from it once is not there a second time. */
+static gboolean
+check_input (const CliCommand *command, char **paths)
+{
+  guint n = 0;
+
+  for (; paths != NULL && *paths != NULL; paths++)
+    n += input_is_standard (*paths);
+  if (n > 1)
+    cli_usage (command, _ ("%s: “-”, the standard input, can be read once"),
+               command->name);
+  return n <= 1;
+}
+
 gboolean
 cli_parse (const CliCommand *command,
            const GOptionEntry *options,
@@ -101,10 +116,18 @@ cli_parse (const CliCommand *command,
     cli_usage (command, "%s", error->message);
     return FALSE;
   }
-  if (!check_count (command, count, rest == NULL ? 0 : g_strv_length (rest)))
+  if (!check_count (command, count, rest == NULL ? 0 : g_strv_length (rest))
+      || !check_input (command, rest))
     return FALSE;
   *arguments = rest == NULL ? g_new0 (char *, 1) : g_steal_pointer (&rest);
   return TRUE;
+}
+
+gboolean
+cli_open_lesson (Session *session, const char *path, GError **error)
+{
+  return input_is_standard (path) ? document_open_lesson (session, path, error)
+                                  : document_open (session, path, error);
 }
 
 gboolean
@@ -164,6 +187,15 @@ cli_output_drop (CliOutput *output)
 {
   fclose (output->file);
   free (output->bytes);
+}
+
+CliStatus
+cli_output_fail (CliOutput *output, const char *path, GError *error)
+{
+  cli_output_drop (output);
+  cli_say ("%s: %s", path, error->message);
+  g_error_free (error);
+  return CLI_CANNOT_WRITE;
 }
 
 static gboolean

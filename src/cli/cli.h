@@ -6,6 +6,7 @@
 #include "appearance.h"
 #include "camera.h"
 #include "order.h"
+#include "session.h"
 
 #include <glib.h>
 #include <stdio.h>
@@ -64,6 +65,11 @@ CliStatus cli_usage (const CliCommand *command, const char *format, ...)
 /* Whether a PDF file may be written to @path, what -o says or NULL: not where
  * the name is that of another picture. If not, it has been said. */
 gboolean cli_pdf (const CliCommand *command, const char *path);
+
+/* Opens what a command reads that is for lessons: "-" is a lesson here.
+ *
+ * Errors: as document_open(). */
+gboolean cli_open_lesson (Session *session, const char *path, GError **error);
 
 /* Reads an option's whole number; NULL is no number.
  *
@@ -188,6 +194,9 @@ typedef struct CliOutput {
 
 void cli_output_begin (CliOutput *output);
 void cli_output_drop (CliOutput *output);
+
+/* Drops it and says why there is nothing to put at @path. Takes @error. */
+CliStatus cli_output_fail (CliOutput *output, const char *path, GError *error);
 
 /* Puts the output at @path, or on stdout when it is NULL. */
 CliStatus cli_output_end (CliOutput *output, const char *path);

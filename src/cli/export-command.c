@@ -290,6 +290,18 @@ write_picture (const CliCommand *command,
   return CLI_CANNOT_WRITE;
 }
 
+/* A lesson says its own order. */
+static gboolean
+check_order (Session *session, const Options *options)
+{
+  if (options->order_options.kind == NULL
+      || session_get_lesson (session) == NULL)
+    return TRUE;
+  cli_say (_ ("%s: --order is for points: a lesson has its own order"),
+           options->paths[0]);
+  return FALSE;
+}
+
 /* One command as lessons have them, but for what they expect. */
 static gboolean
 do_command (Session *session, const char *text)
@@ -327,7 +339,8 @@ cli_export (const CliCommand *command, int argc, char **argv)
     session_set_order (session, &options.order);
     if (!document_open (session, options.paths[0], &error))
       status = cli_fail (error);
-    else if (do_commands (session, &options) && goto_moment (session, &options)
+    else if (check_order (session, &options) && do_commands (session, &options)
+             && goto_moment (session, &options)
              && apply_look (command, session, &options))
       status = write_picture (command, session, &options);
     else

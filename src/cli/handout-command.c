@@ -1,5 +1,4 @@
 #include "cli.h"
-#include "document.h"
 #include "handout.h"
 
 #include <glib/gi18n.h>
@@ -91,12 +90,9 @@ write_handout (Session *session, const Options *options)
   CliOutput output;
 
   cli_output_begin (&output);
-  if (handout_write (handout, output.file, &error))
-    return cli_output_end (&output, options->output);
-  cli_output_drop (&output);
-  cli_say ("%s: %s", options->output, error->message);
-  g_error_free (error);
-  return CLI_CANNOT_WRITE;
+  return handout_write (handout, output.file, &error)
+             ? cli_output_end (&output, options->output)
+             : cli_output_fail (&output, options->output, error);
 }
 
 CliStatus
@@ -108,7 +104,7 @@ cli_handout (const CliCommand *command, int argc, char **argv)
   GError *error = NULL;
 
   if (options_parse (&options, command, argc, argv)) {
-    if (!document_open (session, options.paths[0], &error)) {
+    if (!cli_open_lesson (session, options.paths[0], &error)) {
       status = cli_fail (error);
     } else if (session_get_lesson (session) == NULL) {
       cli_say (_ ("%s: a handout is made of a lesson, not of points"),

@@ -50,7 +50,8 @@ print_help (void)
     fprintf (output.file, "  %-10s  %s\n", commands[i].name,
              _ (commands[i].sentence));
   fprintf (output.file, "\n%s\n%s\n",
-           _ ("hull2vd-cli COMMAND --help tells the options of a command."),
+           _ ("A FILE “-” is the standard input. hull2vd-cli COMMAND --help "
+              "tells the options\nof a command."),
            _ ("Exit status: 0 done, 1 input refused or an expectation failed, "
               "2 a broken lesson,\n64 usage, 66 cannot open, 73 cannot "
               "write."));

@@ -24,8 +24,14 @@ cli_order (const CliCommand *command, const CliOrder *options, Order *order)
                options->kind);
     return FALSE;
   }
-  if (options->seed != NULL
-      && !cli_number (command, "--seed", options->seed, &seed))
+  if (options->seed == NULL)
+    return TRUE;
+  if (order->kind != ORDER_RANDOM) {
+    cli_usage (command, _ ("--seed needs --order random: no other order has a "
+                           "seed"));
+    return FALSE;
+  }
+  if (!cli_number (command, "--seed", options->seed, &seed))
     return FALSE;
   order->seed = seed;
   return TRUE;

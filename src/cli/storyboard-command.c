@@ -1,5 +1,4 @@
 #include "cli.h"
-#include "document.h"
 #include "storyboard.h"
 
 #include <glib/gi18n.h>
@@ -50,12 +49,9 @@ write_storyboard (Session *session, const Options *options)
   CliOutput output;
 
   cli_output_begin (&output);
-  if (storyboard_write (session, &options->appearance, output.file, &error))
-    return cli_output_end (&output, options->output);
-  cli_output_drop (&output);
-  cli_say ("%s: %s", options->output, error->message);
-  g_error_free (error);
-  return CLI_CANNOT_WRITE;
+  return storyboard_write (session, &options->appearance, output.file, &error)
+             ? cli_output_end (&output, options->output)
+             : cli_output_fail (&output, options->output, error);
 }
 
 CliStatus
@@ -67,7 +63,7 @@ cli_storyboard (const CliCommand *command, int argc, char **argv)
   GError *error = NULL;
 
   if (options_parse (&options, command, argc, argv))
-    status = document_open (session, options.paths[0], &error)
+    status = cli_open_lesson (session, options.paths[0], &error)
                  ? write_storyboard (session, &options)
                  : cli_fail (error);
   options_clear (&options);

@@ -1,5 +1,6 @@
 #include "document.h"
 
+#include "input.h"
 #include "lesson-source.h"
 #include "lesson-words.h"
 #include "site-file.h"
@@ -55,44 +56,14 @@ refuse_file (DocumentError code, const char *path, int reason, GError **error)
   return FALSE;
 }
 
-/* Reads to the end of @file, however long it is; a zero byte ends it too,
- * since the parser refuses it. */
-static char *
-read_stream (FILE *file, gsize *length)
-{
-  GString *text = g_string_new (NULL);
-  char bytes[1 << 16];
-  gsize n;
-
-  while ((n = fread (bytes, 1, sizeof bytes, file)) > 0) {
-    g_string_append_len (text, bytes, (gssize)n);
-    if (memchr (bytes, '\0', n) != NULL)
-      break;
-  }
-  *length = text->len;
-  return g_string_free (text, FALSE);
-}
-
 char *
 document_read (const char *path, gsize *length, GError **error)
 {
-  const gboolean is_input = g_str_equal (path, "-");
-  FILE *file = is_input ? stdin : g_fopen (path, "rbe");
-  g_autofree char *text = NULL;
-  gboolean has_failed;
+  char *text = input_read (path, length);
 
-  if (file == NULL) {
+  if (text == NULL)
     refuse_file (DOCUMENT_ERROR_CANNOT_OPEN, path, errno, error);
-    return NULL;
-  }
-  errno = 0;
-  text = read_stream (file, length);
-  has_failed = ferror (file) != 0;
-  if (has_failed)
-    refuse_file (DOCUMENT_ERROR_CANNOT_OPEN, path, errno, error);
-  if (!is_input)
-    fclose (file);
-  return has_failed ? NULL : g_steal_pointer (&text);
+  return text;
 }
 
 SiteSet *
@@ -127,8 +98,8 @@ open_set (Session *session, SiteSet *set, GError **error)
                              error);
 }
 
-static gboolean
-open_lesson (Session *session, const char *path, GError **error)
+gboolean
+document_open_lesson (Session *session, const char *path, GError **error)
 {
   g_autoptr (Lesson) lesson = lesson_words_load (path, error);
 
@@ -144,7 +115,7 @@ document_open (Session *session, const char *path, GError **error)
   SiteSet *set;
 
   if (document_is_lesson (path))
-    return open_lesson (session, path, error);
+    return document_open_lesson (session, path, error);
   set = document_read_points (path, error);
   if (set == NULL)
     return FALSE;

@@ -24,13 +24,17 @@ gboolean document_is_lesson (const char *path);
  * Errors: DOCUMENT_ERROR or LESSON_ERROR; then the session is unchanged. */
 gboolean document_open (Session *session, const char *path, GError **error);
 
+/* Opens a lesson, whatever its name is; "-" is the standard input. */
+gboolean
+document_open_lesson (Session *session, const char *path, GError **error);
+
 /* Reads points; @name is for messages. */
 SiteSet *document_parse_points (const char *text,
                                 gsize length,
                                 const char *name,
                                 GError **error);
 
-/* Reads a file to its end, however long it is, or "-".
+/* Reads as input_read().
  *
  * Returns: (transfer full): its bytes, or NULL with @error
  *          (DOCUMENT_ERROR_CANNOT_OPEN) set. */

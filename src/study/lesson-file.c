@@ -1,5 +1,6 @@
 /* The files of a lesson: its own, and those of sites below its folder. */
 #include "document.h"
+#include "input.h"
 #include "lesson-block.h"
 
 #include <errno.h>
@@ -41,19 +42,15 @@ read_descriptor (int descriptor, gsize *length, GError **error)
   return g_steal_pointer (&text);
 }
 
-/* Returns: (transfer full): the bytes of a lesson, or NULL with @error set. */
-static char *
-read_lesson (const char *path, gsize *length, GError **error)
+char *
+lesson_read (const char *path, gsize *length, GError **error)
 {
-  const int descriptor = g_open (path, O_RDONLY | O_CLOEXEC | O_NONBLOCK, 0);
+  const int descriptor = input_open (path, FALSE);
   g_autofree char *name = display_path (path);
   g_autoptr (GError) reason = NULL;
   char *text = NULL;
 
   if (descriptor >= 0) {
-    /* To open a pipe that nobody writes to must not wait; to read from one
-     * that somebody does may. */
-    fcntl (descriptor, F_SETFL, 0);
     text = read_descriptor (descriptor, length, &reason);
     close (descriptor);
   } else {
@@ -69,7 +66,7 @@ Lesson *
 lesson_load (const char *path, GError **error)
 {
   gsize length;
-  g_autofree char *text = read_lesson (path, &length, error);
+  g_autofree char *text = lesson_read (path, &length, error);
 
   return text == NULL ? NULL : lesson_parse (text, length, path, error);
 }
@@ -79,7 +76,7 @@ lesson_load_all (const char *path, LessonFaults *faults)
 {
   GError *error = NULL;
   gsize length;
-  g_autofree char *text = read_lesson (path, &length, &error);
+  g_autofree char *text = lesson_read (path, &length, &error);
 
   if (text != NULL)
     return lesson_parse_all (text, length, path, faults);

@@ -83,13 +83,14 @@ lesson_words_find (const char *path,
                    gpointer user,
                    GError **error)
 {
-  g_autoptr (Lesson) lesson = lesson_load (path, error);
-  g_autoptr (LessonSource) source = NULL;
-  g_autofree char *text = NULL;
   gsize length;
+  g_autofree char *text = lesson_read (path, &length, error);
+  g_autoptr (LessonSource) source = NULL;
+  g_autoptr (Lesson) lesson = NULL;
   cmark_node *document;
 
-  if (lesson == NULL || !g_file_get_contents (path, &text, &length, error)
+  if (text == NULL
+      || (lesson = lesson_parse (text, length, path, error)) == NULL
       || (source = lesson_source_new (text, length, path, error)) == NULL)
     return FALSE;
   document = cmark_parse_document (source->text, strlen (source->text),

@@ -100,7 +100,13 @@ typedef enum LessonError {
   LESSON_ERROR_SITES,  /* a sites file was refused: its FILE:LINE: reason */
 } LessonError;
 
-/* Reads and checks a lesson; positions are checked by playing it once.
+/* Reads a file, or "-", up to one byte more than a lesson may have.
+ *
+ * Returns: (transfer full): its bytes, or NULL with @error set. */
+char *lesson_read (const char *path, gsize *length, GError **error);
+
+/* Reads and checks a lesson, from a file or from "-", whose files of sites are
+ * sought from the current folder; positions are checked by playing it once.
  *
  * Returns: (transfer full): the lesson, or NULL with @error set. */
 Lesson *lesson_load (const char *path, GError **error);

@@ -1,5 +1,6 @@
 /* The file of a person's progress: JSON, one object. */
 #include "document.h"
+#include "input.h"
 #include "progress.h"
 
 #include <errno.h>
@@ -335,7 +336,7 @@ parse (const Reading *reading, const char *text, gsize length, Progress *into)
     return read_root (reading, json_parser_get_root (parser), into);
   place = place_of (reading->path, error);
   g_set_error (reading->error, PROGRESS_ERROR, PROGRESS_ERROR_BROKEN,
-               _ ("%s: here it is no JSON any more"), place);
+               _ ("%s: not valid JSON from here on"), place);
   return FALSE;
 }
 
@@ -344,17 +345,16 @@ progress_read (Progress *progress, GError **error)
 {
   const Reading reading = { progress->path, error };
   g_autofree char *shown = g_filename_display_name (progress->path);
-  g_autofree char *text = NULL;
-  g_autoptr (GError) reason = NULL;
   gsize length;
+  g_autofree char *text = input_read (progress->path, &length);
+  const int reason = errno;
 
   g_ptr_array_set_size (progress->lessons, 0);
-  if (!g_file_get_contents (progress->path, &text, &length, &reason)) {
+  if (text == NULL) {
     g_set_error (error, PROGRESS_ERROR,
-                 g_error_matches (reason, G_FILE_ERROR, G_FILE_ERROR_NOENT)
-                     ? PROGRESS_ERROR_MISSING
-                     : PROGRESS_ERROR_CANNOT_OPEN,
-                 "%s: %s", shown, document_reason (reason));
+                 reason == ENOENT ? PROGRESS_ERROR_MISSING
+                                  : PROGRESS_ERROR_CANNOT_OPEN,
+                 "%s: %s", shown, g_strerror (reason));
     return FALSE;
   }
   if (parse (&reading, text, length, progress))
