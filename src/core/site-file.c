@@ -115,6 +115,20 @@ skip_separator (const char *text, const char *end)
   return next > text ? next : NULL;
 }
 
+/* Returns: NULL, or why what follows the second number is wrong. */
+static const char *
+rest_fault (const char *rest, const char *end)
+{
+  const char *next = skip_separator (rest, end);
+  double number;
+
+  if (skip_blanks (rest, end) == end)
+    return NULL;
+  if (next != NULL && number_parse (next, &number) != NULL)
+    return N_ ("expected exactly two numbers, found more");
+  return N_ ("expected nothing after the second number");
+}
+
 /* @line ends with a zero byte at @end.
  *
  * Returns: NULL, or the reason why not. */
@@ -136,9 +150,7 @@ parse_pair (const char *line, const char *end, Site *site)
   next = number_parse (next, &site->y);
   if (next == NULL)
     return number_fault (site->y);
-  if (skip_blanks (next, end) != end)
-    return N_ ("expected nothing after the second number");
-  return NULL;
+  return rest_fault (next, end);
 }
 
 static const char *

@@ -14,9 +14,10 @@
 
 /* What comes before the rows. */
 typedef struct Head {
-  gsize length;     /* bytes of the text that are no rows */
-  guint n_lines;    /* that these bytes make */
-  guint count_line; /* where the number of rows is said, 0: nowhere */
+  gsize length;                     /* bytes of the text that are no rows */
+  guint n_lines;                    /* that these bytes make */
+  guint dimension_line, count_line; /* where dimension and number of rows are
+                                       said, 0: nowhere */
   guint64 n_rows;
 } Head;
 
@@ -72,17 +73,22 @@ is_heading (const char *field)
   return !g_strv_contains (numbers, lower);
 }
 
-/* Headings are two names with one separator between them. */
-static gboolean
-is_headings (const char *line)
+/* Headings are names with one separator between them.
+ *
+ * Returns: how many there are, 0 when they are none. */
+static guint
+count_headings (const char *line)
 {
   const char *separators = strpbrk (line, ",;\t");
   g_autofree char *separator
       = g_strndup (separators != NULL ? separators : " ", 1);
   g_auto (GStrv) fields = g_strsplit (line, separator, -1);
+  guint n = 0;
 
-  return g_strv_length (fields) == 2 && is_heading (fields[0])
-         && is_heading (fields[1]);
+  for (; fields[n] != NULL; n++)
+    if (!is_heading (fields[n]))
+      return 0;
+  return n;
 }
 
 static void
@@ -92,17 +98,21 @@ take_lines (Head *head, const char *text, const Lines *lines)
   head->n_lines = lines->n;
 }
 
-static gboolean
+/* Prose is no table: under more or less than two names a number stands.
+ *
+ * Returns: how many columns have one, 0: there is no heading. */
+static guint
 read_headings (const char *text, Lines lines, Head *head)
 {
   g_autofree char *first = next_line (&lines);
   Lines rest = lines;
   g_autofree char *row = first == NULL ? NULL : next_line (&rest);
+  const guint n = row == NULL ? 0 : count_headings (first);
 
-  if (row == NULL || !is_headings (first))
-    return FALSE;
+  if (n == 0 || (n != 2 && strchr ("+-.0123456789", row[0]) == NULL))
+    return 0;
   take_lines (head, text, &lines);
-  return TRUE;
+  return n;
 }
 
 /* "2" or "2 rbox 10 D2": a number that a name follows, if anything does. */
@@ -120,12 +130,14 @@ static gboolean
 read_counts (const char *text, Lines lines, Head *head, guint64 *dimension)
 {
   g_autofree char *first = next_line (&lines);
+  const guint first_line = lines.n;
   g_autofree char *second = first == NULL ? NULL : next_line (&lines);
 
   if (second == NULL || !is_dimension (first, dimension)
       || !words_parse_number (second, G_MAXUINT32, &head->n_rows))
     return FALSE;
   take_lines (head, text, &lines);
+  head->dimension_line = first_line;
   head->count_line = lines.n;
   return TRUE;
 }
@@ -142,6 +154,17 @@ refuse (const char *name, guint line, const char *reason, GError **error)
     g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_REFUSED, "%s:%u: %s",
                  shown, line, reason);
   return NULL;
+}
+
+static SiteSet *
+refuse_columns (const char *name, guint line, guint n, GError **error)
+{
+  g_autofree char *reason = g_strdup_printf (
+      ngettext ("expected exactly two columns, x and y, found %u",
+                "expected exactly two columns, x and y, found %u", n),
+      n);
+
+  return refuse (name, line, reason, error);
 }
 
 static SiteSet *
@@ -163,8 +186,9 @@ parse_rows (const char *text,
   if (head->count_line == 0 || head->n_rows == set->n_sites)
     return set;
   announced = g_strdup_printf ("%" G_GUINT64_FORMAT, head->n_rows);
-  reason = g_strdup_printf (_ ("%s points are announced, but %u follow"),
-                            announced, set->n_sites);
+  reason = g_strdup_printf (
+      _ ("the number of points is given as %s, but %u follow"), announced,
+      set->n_sites);
   site_set_free (set);
   return refuse (name, head->count_line, reason, error);
 }
@@ -180,17 +204,18 @@ point_import_parse (const char *text,
   const gboolean is_marked
       = length >= mark && memcmp (text, BYTE_ORDER_MARK, mark) == 0;
   const Lines lines = { text + (is_marked ? mark : 0), text + length, 0 };
-  Head head = { 0, 0, 0, 0 };
+  Head head = { .length = 0 };
   guint64 dimension = 2;
-  const gboolean has_headings = read_headings (text, lines, &head);
+  const guint n_headings = read_headings (text, lines, &head);
   const gboolean has_counts
-      = !has_headings && read_counts (text, lines, &head, &dimension);
+      = n_headings == 0 && read_counts (text, lines, &head, &dimension);
 
   if (is_foreign != NULL)
-    *is_foreign = has_headings || has_counts;
+    *is_foreign = n_headings > 0 || has_counts;
+  if (n_headings > 0 && n_headings != 2)
+    return refuse_columns (name, head.n_lines, n_headings, error);
   if (has_counts && dimension != 2)
-    return refuse (name, head.count_line,
-                   _ ("points of two dimensions are expected"), error);
+    return refuse_columns (name, head.dimension_line, (guint)dimension, error);
   return parse_rows (text, length, &head, name, error);
 }
 
