@@ -8,9 +8,22 @@ typedef struct Choice {
   GDestroyNotify free_user; /* may be NULL */
 } Choice;
 
+/* The desktop's own dialogs are no windows of this program. */
+#define OPEN_DIALOG "file-dialog"
+
+gboolean
+file_dialog_is_open (GtkWindow *parent)
+{
+  return g_object_get_data (G_OBJECT (parent), OPEN_DIALOG) != NULL;
+}
+
 static void
 on_response (GtkNativeDialog *dialog, int response, Choice *choice)
 {
+  GtkWindow *parent = gtk_native_dialog_get_transient_for (dialog);
+
+  if (parent != NULL)
+    g_object_set_data (G_OBJECT (parent), OPEN_DIALOG, NULL);
   if (response == GTK_RESPONSE_ACCEPT) {
     g_autofree char *path
         = gtk_file_chooser_get_filename (GTK_FILE_CHOOSER (dialog));
@@ -38,6 +51,7 @@ make_dialog (GtkWindow *parent, const char *title, gboolean saves)
 
 static void
 show_dialog (GtkFileChooser *dialog,
+             GtkWindow *parent,
              FileChosen on_chosen,
              gpointer user,
              GDestroyNotify free_user)
@@ -48,6 +62,7 @@ show_dialog (GtkFileChooser *dialog,
   choice->user = user;
   choice->free_user = free_user;
   g_signal_connect (dialog, "response", G_CALLBACK (on_response), choice);
+  g_object_set_data (G_OBJECT (parent), OPEN_DIALOG, dialog);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (dialog));
 }
 
@@ -74,7 +89,7 @@ file_dialog_open (GtkWindow *parent,
   add_filter (dialog, _ ("Lessons and points"),
               "*.md *.txt *.csv *.xy *.points");
   add_filter (dialog, _ ("All files"), "*");
-  show_dialog (dialog, on_chosen, user, NULL);
+  show_dialog (dialog, parent, on_chosen, user, NULL);
 }
 
 void
@@ -99,5 +114,5 @@ file_dialog_save_with (GtkWindow *parent,
 
   gtk_file_chooser_set_do_overwrite_confirmation (dialog, TRUE);
   gtk_file_chooser_set_current_name (dialog, name);
-  show_dialog (dialog, on_chosen, user, free_user);
+  show_dialog (dialog, parent, on_chosen, user, free_user);
 }

@@ -9,6 +9,8 @@ G_BEGIN_DECLS
 /* Called when a file has been chosen, not when the dialog was given up. */
 typedef void (*FileChosen) (const char *path, gpointer user);
 
+gboolean file_dialog_is_open (GtkWindow *parent);
+
 void file_dialog_open (GtkWindow *parent,
                        const char *title,
                        FileChosen on_chosen,

@@ -141,17 +141,9 @@ path_of (GFile *file)
 }
 
 static void
-open_file (GApplication *application, GFile *file)
+open_in (Hull2vdWindow *window, const char *path, gboolean is_new)
 {
-  const gboolean is_first
-      = gtk_application_get_windows (GTK_APPLICATION (application)) == NULL;
-  Hull2vdWindow *window = get_window (application);
-  g_autofree char *path = path_of (file);
-
-  /* Work that is in no file keeps its window. */
-  if (window_files_is_modified (window))
-    window = hull2vd_window_new (GTK_APPLICATION (application));
-  if (!window_files_load (window, path) && is_first) {
+  if (!window_files_load (window, path) && is_new) {
     load_first_lesson (window);
     window_files_load (window, path); /* says again why not */
   }
@@ -159,14 +151,32 @@ open_file (GApplication *application, GFile *file)
 }
 
 static void
+open_file (GApplication *application, GFile *file, gboolean is_alone)
+{
+  g_autofree char *path = path_of (file);
+  GList *windows = gtk_application_get_windows (GTK_APPLICATION (application));
+  Hull2vdWindow *window
+      = windows != NULL && !is_alone ? get_window (application) : NULL;
+
+  /* Work that is in no file keeps its window. */
+  if (window != NULL && !window_files_is_modified (window))
+    open_in (window, path, FALSE);
+  else
+    open_in (hull2vd_window_new (GTK_APPLICATION (application)), path, TRUE);
+}
+
+/* Of several files the first may take the place of what is there, the others
+ * have windows of their own. */
+static void
 hull2vd_application_open (GApplication *application,
                           GFile **files,
                           int n_files,
                           const char *hint)
 {
-  (void)hint;
+  const gboolean are_alone = g_str_equal (hint, HULL2VD_OPEN_ALONE);
+
   for (int i = 0; i < n_files; i++)
-    open_file (application, files[i]);
+    open_file (application, files[i], are_alone || i > 0);
 }
 
 /* Life */

@@ -78,12 +78,16 @@ show_question (Hull2vdWindow *window, AskWhy why)
 void
 window_ask (Hull2vdWindow *window, AskWhy why, AskThen then, const char *path)
 {
-  Pending *pending = g_new0 (Pending, 1);
+  const gboolean is_modified = window_files_is_modified (window);
+  Pending *pending;
 
+  if (is_modified && window_dialog_refuse (window, path))
+    return;
+  pending = g_new0 (Pending, 1);
   pending->then = then;
   pending->path = g_strdup (path);
   g_object_set_data_full (G_OBJECT (window), "pending", pending, pending_free);
-  if (window_files_is_modified (window))
+  if (is_modified)
     show_question (window, why);
   else
     window_ask_saved (window);

@@ -194,22 +194,18 @@ run_shortcuts (Hull2vdWindow *window)
   shortcuts_window_show (GTK_WINDOW (window));
 }
 
-static const struct {
+typedef struct Command {
   const char *name;
   void (*run) (Hull2vdWindow *window);
-} commands[] = {
+} Command;
+
+static const Command commands[] = {
   { "new", window_files_new },
-  { "open", window_files_open },
   { "save", window_files_save },
-  { "save-as", window_files_save_as },
   { "adapt-lesson", window_files_adapt },
   { "copy", run_copy },
   { "paste", run_paste },
-  { "export-picture", window_picture_export },
   { "copy-picture", window_picture_copy },
-  { "storyboard", window_files_storyboard },
-  { "handout", window_files_handout },
-  { "export-results", window_progress_export },
   { "clear-progress", window_progress_clear },
   { "next-lesson", window_progress_next_lesson },
   { "record", window_record_toggle },
@@ -228,19 +224,41 @@ static const struct {
   { "detach-space", run_detach_space },
 };
 
+/* Those that open a dialog whatever happens. */
+static const Command dialogs[] = {
+  { "open", window_files_open },
+  { "save-as", window_files_save_as },
+  { "export-picture", window_picture_export },
+  { "storyboard", window_files_storyboard },
+  { "handout", window_files_handout },
+  { "export-results", window_progress_export },
+};
+
+static const Command *
+find_command (const Command *rows, guint n, const char *name)
+{
+  for (guint i = 0; i < n; i++)
+    if (g_str_equal (name, rows[i].name))
+      return &rows[i];
+  return NULL;
+}
+
 gboolean
 window_command_run (Hull2vdWindow *window,
                     const char *name,
                     GVariant *parameter)
 {
-  if (g_str_equal (name, "open-file")) {
+  const Command *command
+      = find_command (commands, G_N_ELEMENTS (commands), name);
+  const Command *dialog = find_command (dialogs, G_N_ELEMENTS (dialogs), name);
+
+  if (g_str_equal (name, "open-file"))
     run_open_file (window, parameter);
-    return TRUE;
-  }
-  for (guint i = 0; i < G_N_ELEMENTS (commands); i++)
-    if (g_str_equal (name, commands[i].name)) {
-      commands[i].run (window);
-      return TRUE;
-    }
-  return toggle_panel (window, name);
+  else if (command != NULL)
+    command->run (window);
+  else if (dialog == NULL)
+    return toggle_panel (window, name);
+  else if (!window_dialog_refuse (window, NULL))
+    dialog->run (window);
+  return TRUE;
 }

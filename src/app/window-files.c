@@ -3,6 +3,7 @@
 #include "action.h"
 #include "document.h"
 #include "file-dialogs.h"
+#include "hull2vd-application.h"
 #include "lesson-copy.h"
 #include "point-import.h"
 #include "progress-keeper.h"
@@ -226,6 +227,8 @@ ask_for_name (Hull2vdWindow *window)
 {
   g_autofree char *name = suggest_name (window);
 
+  if (window_dialog_refuse (window, NULL))
+    return;
   file_dialog_save (GTK_WINDOW (window), _ ("Save the Sites"), name,
                     on_save_chosen, window);
 }
@@ -270,18 +273,31 @@ drop_text (Hull2vdWindow *window, const char *text)
     gtk_info_bar_set_revealed (window->info_bar, FALSE);
 }
 
+/* In a window of its own. */
+static void
+open_alone (Hull2vdWindow *window, const char *path)
+{
+  g_autoptr (GFile) file = g_file_new_for_path (path);
+
+  g_application_open (
+      G_APPLICATION (gtk_window_get_application (GTK_WINDOW (window))), &file,
+      1, HULL2VD_OPEN_ALONE);
+}
+
 static void
 drop_uris (Hull2vdWindow *window, char **uris)
 {
-  g_autofree char *path = NULL;
+  for (guint i = 0; uris[i] != NULL; i++) {
+    g_autofree char *path = g_filename_from_uri (uris[i], NULL, NULL);
 
-  if (uris[0] != NULL)
-    path = g_filename_from_uri (uris[0], NULL, NULL);
-  if (path != NULL)
-    window_files_open_path (window, path);
-  else
-    hull2vd_window_say (window,
-                        _ ("Only files of this computer can be opened"));
+    if (path == NULL)
+      hull2vd_window_say (window,
+                          _ ("Only files of this computer can be opened"));
+    else if (i == 0)
+      window_files_open_path (window, path);
+    else
+      open_alone (window, path);
+  }
 }
 
 static void

@@ -146,6 +146,12 @@ gboolean window_blank_is_on (Hull2vdWindow *window);
 /* Returns: whether the key was for the black screen. */
 gboolean window_blank_key (Hull2vdWindow *window, const GdkEventKey *event);
 
+/* window-dialog.c
+ *
+ * Returns: whether there is a dialog to be answered first; then this has been
+ *          said, with @path unless NULL, which was to be opened. */
+gboolean window_dialog_refuse (Hull2vdWindow *window, const char *path);
+
 /* window-progress.c: what the person has done in lessons. */
 void window_progress_init (Hull2vdWindow *window);
 void window_progress_export (Hull2vdWindow *window);
