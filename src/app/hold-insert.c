@@ -11,7 +11,6 @@ typedef struct HoldInsert {
   gboolean is_holding;
   guint site;         /* that is held */
   double start_px[2]; /* where the button went down */
-  double at_px[2];
 } HoldInsert;
 
 static void
@@ -67,17 +66,19 @@ on_pressed (GtkGesture *gesture, double x, double y, HoldInsert *hold)
       || session_is_asking (session)
       || site_preview_is_on_site (hold->canvas, at_px))
     return;
-  canvas_input_give_up (hold->canvas);
   session_begin_edit (session);
   site_edit_add (hold->canvas, point_at (hold->canvas, at_px));
+  /* What is not there at once cannot be looked at: it is a click. */
   if (session_get_set (session)->n_sites == n_sites) {
-    session_end_edit (session);
+    session_cancel_edit (session);
     return;
   }
+  canvas_input_give_up (hold->canvas);
+  session_set_hover (session, (Object){ OBJECT_SITE, n_sites });
   hold->is_holding = TRUE;
   hold->site = n_sites;
-  hold->start_px[0] = hold->at_px[0] = x;
-  hold->start_px[1] = hold->at_px[1] = y;
+  hold->start_px[0] = x;
+  hold->start_px[1] = y;
   canvas_set_moving (hold->canvas, TRUE);
 }
 
@@ -101,23 +102,11 @@ release (HoldInsert *hold, gboolean is_kept)
 static void
 on_drag_update (GtkGesture *gesture, double dx, double dy, HoldInsert *hold)
 {
+  const double to_px[2] = { hold->start_px[0] + dx, hold->start_px[1] + dy };
+
   (void)gesture;
-  if (!hold->is_holding)
-    return;
-  hold->at_px[0] = hold->start_px[0] + dx;
-  hold->at_px[1] = hold->start_px[1] + dy;
-  site_edit_move (hold->canvas, hold->site,
-                  point_at (hold->canvas, hold->at_px));
-}
-
-static gboolean
-is_inside (HoldInsert *hold)
-{
-  GtkWidget *widget = GTK_WIDGET (hold->canvas);
-
-  return hold->at_px[0] >= 0 && hold->at_px[1] >= 0
-         && hold->at_px[0] < gtk_widget_get_allocated_width (widget)
-         && hold->at_px[1] < gtk_widget_get_allocated_height (widget);
+  if (hold->is_holding)
+    site_edit_move (hold->canvas, hold->site, point_at (hold->canvas, to_px));
 }
 
 static void
@@ -126,7 +115,7 @@ on_drag_end (GtkGesture *gesture, double dx, double dy, HoldInsert *hold)
   (void)gesture;
   (void)dx;
   (void)dy;
-  release (hold, is_inside (hold));
+  release (hold, FALSE);
 }
 
 static void
@@ -141,10 +130,19 @@ static gboolean
 on_key (GtkWidget *widget, GdkEventKey *event, HoldInsert *hold)
 {
   (void)widget;
-  if (!hold->is_holding || event->keyval != GDK_KEY_Escape)
+  if (!hold->is_holding)
     return GDK_EVENT_PROPAGATE;
-  release (hold, FALSE);
-  return GDK_EVENT_STOP;
+  switch (event->keyval) {
+  case GDK_KEY_Return:
+  case GDK_KEY_KP_Enter:
+    release (hold, TRUE);
+    return GDK_EVENT_STOP;
+  case GDK_KEY_Escape:
+    release (hold, FALSE);
+    return GDK_EVENT_STOP;
+  default:
+    return GDK_EVENT_PROPAGATE;
+  }
 }
 
 void

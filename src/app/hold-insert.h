@@ -1,6 +1,6 @@
 /* Holding the button down on the empty plane puts a site there for as long as
- * it is held: it can be dragged on; released outside the view, or by Escape,
- * it is taken back. */
+ * it is held: it can be dragged on, and goes when the button is let go. Enter
+ * keeps it; Escape takes it back at once. */
 #ifndef HOLD_INSERT_H
 #define HOLD_INSERT_H
 

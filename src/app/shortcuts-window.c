@@ -98,6 +98,8 @@ add_mouse (GtkWidget *section)
   } rows[] = {
     { N_ ("Add a site"),
       N_ ("Click the empty plane, double-click or Ctrl+click a triangle") },
+    { N_ ("Try a site"),
+      N_ ("Hold the button on the empty plane; Enter keeps the site") },
     { N_ ("Select a site, a triangle or a facet"), N_ ("Click it") },
     { N_ ("Select several sites"),
       N_ ("Shift+click or Ctrl+click each, or Ctrl+drag a band round them") },
