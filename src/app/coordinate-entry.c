@@ -43,6 +43,36 @@ put_site (CoordinateEntry *self, Site site, GError **error)
                      : session_add_site (session, site, error);
 }
 
+/* What was typed is seen, wherever it lies. */
+static void
+show_site (CoordinateEntry *self, guint site)
+{
+  GtkWidget *widget = GTK_WIDGET (self->canvas);
+  const GdkRectangle view = { 0, 0, gtk_widget_get_allocated_width (widget),
+                              gtk_widget_get_allocated_height (widget) };
+  GdkRectangle place;
+  PlaneCamera camera;
+
+  if (!canvas_locate (self->canvas, (Object){ OBJECT_SITE, site }, &place)
+      || gdk_rectangle_intersect (&place, &view, NULL))
+    return;
+  plane_camera_init (&camera);
+  session_set_plane_camera (canvas_get_session (self->canvas), &camera);
+}
+
+static void
+follow_edit (CoordinateEntry *self)
+{
+  Session *session = canvas_get_session (self->canvas);
+
+  if (session_is_working (session, NULL))
+    return;
+  if (!self->moves)
+    site_edit_go_to_last (self->canvas);
+  show_site (self,
+             self->moves ? self->site : session_get_set (session)->n_sites - 1);
+}
+
 static void
 on_activate (GtkEntry *entry, CoordinateEntry *self)
 {
@@ -62,10 +92,9 @@ on_activate (GtkEntry *entry, CoordinateEntry *self)
   if (fault != NULL)
     return;
   gtk_entry_set_text (entry, "");
+  follow_edit (self);
   if (self->moves)
     gtk_popover_popdown (GTK_POPOVER (self));
-  else if (!session_is_working (canvas_get_session (self->canvas), NULL))
-    site_edit_go_to_last (self->canvas);
 }
 
 static void
