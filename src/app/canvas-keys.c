@@ -150,6 +150,25 @@ index_of_cursor (Canvas *canvas)
   return -1;
 }
 
+/* The middle of what the keyboard is on is seen. */
+static void
+bring_cursor_into_view (Canvas *canvas)
+{
+  GtkWidget *widget = GTK_WIDGET (canvas);
+  const int width = gtk_widget_get_allocated_width (widget);
+  const int height = gtk_widget_get_allocated_height (widget);
+  GdkRectangle place;
+  int x, y;
+
+  if (!canvas_locate (canvas, canvas_get_cursor (canvas), &place))
+    return;
+  x = place.x + place.width / 2;
+  y = place.y + place.height / 2;
+  if (x < 0 || y < 0 || x >= width || y >= height)
+    HULL2VD_CANVAS_GET_CLASS (canvas)->pan (
+        canvas, (const double[]){ width / 2.0 - x, height / 2.0 - y });
+}
+
 static gboolean
 canvas_focus (GtkWidget *widget, GtkDirectionType direction)
 {
@@ -177,6 +196,7 @@ canvas_focus (GtkWidget *widget, GtkDirectionType direction)
                      to < 0 ? (Object){ OBJECT_NONE, 0 }
                             : HULL2VD_CANVAS_GET_CLASS (canvas)->get_object (
                                 canvas, (guint)to));
+  bring_cursor_into_view (canvas);
   return TRUE;
 }
 

@@ -66,17 +66,25 @@ list_corners (Session *session, Object object, uint32_t corners[3])
   return 3;
 }
 
+guint
+canvas_outline (Canvas *canvas, Object object, Point3 points[3])
+{
+  uint32_t corners[3];
+  const guint n = list_corners (canvas_get_session (canvas), object, corners);
+
+  for (guint i = 0; i < n; i++)
+    points[i] = locate_site (canvas, corners[i]);
+  return n;
+}
+
 gboolean
 canvas_locate (Canvas *canvas, Object object, GdkRectangle *rectangle)
 {
-  uint32_t corners[3];
   Point3 points[3];
-  const guint n = list_corners (canvas_get_session (canvas), object, corners);
+  const guint n = canvas_outline (canvas, object, points);
 
   if (n == 0)
     return FALSE;
-  for (guint i = 0; i < n; i++)
-    points[i] = locate_site (canvas, corners[i]);
   *rectangle = rectangle_around (points, n);
   return TRUE;
 }

@@ -5,6 +5,8 @@
 #include "canvas-keys.h"
 #include "canvas-show.h"
 
+#include <math.h>
+
 typedef struct CanvasPrivate {
   Session *session;
   guint pane;
@@ -135,18 +137,46 @@ canvas_set_moving (Canvas *canvas, gboolean moving)
   canvas_show_set_moving (priv (canvas)->show, moving);
 }
 
+/* Farther away no path can lead. */
+#define FAR_PX 1e5
+
+static gboolean
+is_far (const Point3 *point)
+{
+  return fabs (point->x) > FAR_PX || fabs (point->y) > FAR_PX;
+}
+
+/* A facet has its own outline: a box round it would hold its neighbours. */
+static gboolean
+trace_outline (Canvas *canvas, cairo_t *cr)
+{
+  const Object cursor = priv (canvas)->cursor;
+  Point3 points[3];
+
+  if (cursor.kind != OBJECT_FACET
+      || canvas_outline (canvas, cursor, points) != 3)
+    return FALSE;
+  for (int i = 0; i < 3; i++)
+    if (is_far (&points[i]))
+      return FALSE;
+  for (int i = 0; i < 3; i++)
+    cairo_line_to (cr, points[i].x, points[i].y);
+  cairo_close_path (cr);
+  return TRUE;
+}
+
 static void
-draw_ring (cairo_t *cr, const Theme *theme, const GdkRectangle *box)
+stroke_ring (cairo_t *cr, const Theme *theme)
 {
   const Colour colour = theme->selection, ground = theme->background;
 
-  cairo_rectangle (cr, box->x, box->y, box->width, box->height);
-  cairo_set_line_width (cr, 4);
+  cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_width (cr, 7);
   cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);
   cairo_stroke_preserve (cr);
-  cairo_set_line_width (cr, 2);
+  cairo_set_line_width (cr, 3);
   cairo_set_source_rgb (cr, colour.red, colour.green, colour.blue);
-  cairo_set_dash (cr, (const double[]){ 5, 3 }, 2, 0);
+  cairo_set_dash (cr, (const double[]){ 6, 4 }, 2, 0);
   cairo_stroke (cr);
 }
 
@@ -158,9 +188,12 @@ draw_focus (Canvas *canvas, cairo_t *cr)
   GtkWidget *widget = GTK_WIDGET (canvas);
   GdkRectangle box;
 
-  if (canvas_locate (canvas, priv (canvas)->cursor, &box))
-    draw_ring (cr, canvas_get_theme (canvas), &box);
-  else
+  if (trace_outline (canvas, cr))
+    stroke_ring (cr, canvas_get_theme (canvas));
+  else if (canvas_locate (canvas, priv (canvas)->cursor, &box)) {
+    cairo_rectangle (cr, box.x, box.y, box.width, box.height);
+    stroke_ring (cr, canvas_get_theme (canvas));
+  } else
     gtk_render_focus (gtk_widget_get_style_context (widget), cr, 1, 1,
                       gtk_widget_get_allocated_width (widget) - 2,
                       gtk_widget_get_allocated_height (widget) - 2);

@@ -91,6 +91,12 @@ gboolean canvas_wants_key (Canvas *canvas, const GdkEventKey *event);
  * Returns: FALSE when it is not shown. */
 gboolean canvas_locate (Canvas *canvas, Object object, GdkRectangle *rectangle);
 
+/* The places of the sites that make an object: one, two of a ridge, three of
+ * a facet. Units: px.
+ *
+ * Returns: how many; 0 when it is not shown. */
+guint canvas_outline (Canvas *canvas, Object object, Point3 points[3]);
+
 Object canvas_pick (Canvas *canvas, const double at_px[2]);
 Projection canvas_get_projection (Canvas *canvas);
 

@@ -1,5 +1,6 @@
 #include "code-panel.h"
 
+#include "focus-order.h"
 #include "pseudocode.h"
 #include "scroll-to.h"
 
@@ -145,4 +146,5 @@ code_panel_init (CodePanel *panel)
 {
   panel->current = INDEX_NONE;
   gtk_widget_init_template (GTK_WIDGET (panel));
+  focus_order_pass_over (panel->lines);
 }

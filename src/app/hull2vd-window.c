@@ -1,5 +1,6 @@
 #include "hull2vd-window.h"
 
+#include "focus-order.h"
 #include "lesson-list.h"
 #include "settings.h"
 #include "site-readout.h"
@@ -319,6 +320,8 @@ hull2vd_window_init (Hull2vdWindow *window)
   window_files_init (window);
   window_space_init (window);
   window_blank_add (window, GTK_WIDGET (window));
+  focus_order_of_paned (window->lesson_paned);
+  focus_order_of_paned (window->view_paned);
   tooltips_add (GTK_WIDGET (window));
   hull2vd_window_update_title (window);
   update_hints (window);

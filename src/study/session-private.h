@@ -50,7 +50,6 @@ struct _Session {
   gboolean has_dragged; /* the history holds this drag already */
   Run *drag_run;        /* as the drag began, with its step: a place lost */
   guint drag_step;      /* on the way is found again */
-  Extent drag_extent;
 
   Lesson *lesson;
   guint stop;

@@ -180,6 +180,15 @@ class Program:
                 return child
         return None
 
+    def focus(self):
+        """The name of what has the keyboard, in a list; empty: nothing."""
+        rule = Atspi.MatchRule.new(
+            Atspi.StateSet.new([Atspi.StateType.FOCUSED]), ALL, {}, ALL, [],
+            ANY, [], ALL, False)
+        found = Atspi.Collection.get_matches(
+            self.root(), rule, Atspi.CollectionSortOrder.CANONICAL, 0, True)
+        return [child.get_name() for child in found][-1:]
+
     def canvas(self, name):
         return self.find("canvas", name)
 
