@@ -1,5 +1,6 @@
 /* The painter against pictures that were looked at.
  * HULL2VD_RENEW_IMAGES=1 writes the reference pictures anew. */
+#include "drawing.h"
 #include "label.h"
 #include "look-case.h"
 
@@ -226,6 +227,114 @@ test_paper_has_no_clash (void)
   }
 }
 
+/* Whether a facet's corners run round clockwise in pixels, whose y runs down:
+ * then one looks at its outside. */
+static gboolean
+is_turned_here (const LookScene *look, const SceneItem *facet)
+{
+  double area = 0;
+  uint32_t i;
+
+  for (i = 0; i < facet->n; i++) {
+    const Point3 *points = &look->scene.points[facet->first];
+    Pixel a, b;
+
+    g_assert_true (clip_point (&look->projection, points[i], &a));
+    g_assert_true (
+        clip_point (&look->projection, points[(i + 1) % facet->n], &b));
+    area += a.x * b.y - a.y * b.x;
+  }
+  return area < 0;
+}
+
+static gboolean
+has_corner (const LookScene *look, const SceneItem *facet, Point3 at)
+{
+  uint32_t i;
+
+  for (i = 0; i < facet->n; i++) {
+    const Point3 *corner = &look->scene.points[facet->first + i];
+
+    if (corner->x == at.x && corner->y == at.y && corner->z == at.z)
+      return TRUE;
+  }
+  return FALSE;
+}
+
+/* Horizon, cone edges and facet f are drawn over the hull. */
+static gboolean
+is_drawn_over (const SceneItem *item)
+{
+  return item->pass == PASS_LINES && item->shape == SHAPE_PATH
+         && item->object.kind != OBJECT_SITE && item->role != ROLE_DROP;
+}
+
+/* Whether a lift is hidden by its own facets, and the round in hand is not
+ * about it. */
+static gboolean
+is_behind_hull (const LookScene *look, Point3 lift)
+{
+  gboolean has_facet = FALSE;
+  uint32_t i;
+
+  for (i = 0; i < look->scene.stock.n_items; i++) {
+    const SceneItem *item = &look->scene.items[i];
+
+    if (is_drawn_over (item) && has_corner (look, item, lift))
+      return FALSE;
+    if (item->pass != PASS_HULL || item->shape != SHAPE_POLYGON
+        || !has_corner (look, item, lift))
+      continue;
+    if (item->is_two_sided || item->role >= ROLE_VISIBLE || item->fade >= 0.5
+        || is_turned_here (look, item))
+      return FALSE;
+    has_facet = TRUE;
+  }
+  return has_facet;
+}
+
+/* Returns: the number of sites that are hidden. */
+static guint
+check_behind (const LookCase *what)
+{
+  Names *names = names_new ();
+  Drawing *drawing = drawing_new (names);
+  LookScene look;
+  guint n = 0;
+  uint32_t i;
+
+  look_scene_init (&look, what, PICTURE_SPACE);
+  drawing_set_stock (drawing, &look.scene, &look.projection, look.theme);
+  for (i = 0; i < drawing->n_strokes; i++) {
+    const Stroke *stroke = &drawing->strokes[i];
+    const SceneItem *item = &look.scene.items[stroke->place.item];
+    gboolean is_small;
+
+    if (stroke->kind != STROKE_MARK || item->role != ROLE_SITE)
+      continue;
+    is_small = drawing->styles[stroke->style].casing <= 0;
+    if (is_small != is_behind_hull (&look, look.scene.points[item->first]))
+      g_error ("%s: %s looks wrong", what->name, item->label);
+    n += is_small;
+  }
+  look_scene_clear (&look);
+  drawing_free (drawing);
+  names_free (names);
+  return n;
+}
+
+/* A site that only far facets have lies behind the near ones: its mark must
+ * not look as if it lay on them. */
+static void
+test_behind (void)
+{
+  guint i, n = 0;
+
+  for (i = 0; i < look_n_cases; i++)
+    n += check_behind (&look_cases[i]);
+  g_assert_cmpuint (n, >, 10);
+}
+
 /* The plane of mixed8 when the cone of round 4 stands, with @answer over it. */
 static cairo_surface_t *
 paint_answer (const Fixture *fixture,
@@ -327,6 +436,8 @@ main (int argc, char **argv)
   g_test_add_func ("/painter/every-role-has-a-sample", test_swatches);
   g_test_add_func ("/painter/what-was-missed-is-seen-on-the-horizon",
                    test_missed_on_the_horizon);
+  g_test_add_func ("/painter/sites-behind-the-hull-do-not-look-as-if-before-it",
+                   test_behind);
   g_test_add_func ("/painter/no-facet-of-the-paper-is-green-by-mixture",
                    test_paper_has_no_clash);
   g_test_add_func ("/label/names-sit-on-no-mark-and-no-name", test_labels);

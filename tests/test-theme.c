@@ -209,6 +209,59 @@ test_space (void)
   sight_for_each_theme (check_space);
 }
 
+/* What the hull hides is seen through its facets. */
+static void
+check_behind (const Theme *theme)
+{
+  g_autoptr (GArray) facets = facet_grounds (theme);
+  Style style = sight_style (theme, ROLE_SITE);
+  const double radius = style.radius;
+  guint i;
+
+  theme_put_behind (theme, &style);
+  g_assert_cmpfloat (style.radius, <, 0.8 * radius);
+  g_assert_cmpfloat (style.casing, ==, 0);
+  for (i = 0; i < facets->len; i++) {
+    const Ground *ground = &g_array_index (facets, Ground, i);
+    const double value = sight_contrast (
+        sight_over (style.line, ground->colour), ground->colour);
+
+    if (value < MARK_CONTRAST)
+      sight_fault (theme, "behind", ROLE_SITE, ground->name, value);
+  }
+}
+
+static void
+test_behind (void)
+{
+  sight_for_each_theme (check_behind);
+}
+
+/* Where three sites are in line is what a sign map is about. */
+static void
+check_signs (const Theme *theme)
+{
+  const Style zero = sight_style (theme, ROLE_SIGN_ZERO);
+  const Style left = sight_style (theme, ROLE_SIGN_LEFT);
+  const Style right = sight_style (theme, ROLE_SIGN_RIGHT);
+  guint i;
+
+  if (sight_contrast (zero.fill, left.fill) < MARK_CONTRAST)
+    sight_fault (theme, "sign", ROLE_SIGN_ZERO, "left", 0);
+  if (sight_contrast (zero.fill, right.fill) < MARK_CONTRAST)
+    sight_fault (theme, "sign", ROLE_SIGN_ZERO, "right", 0);
+  for (i = 0; i < N_VISIONS; i++)
+    if (left.hatch == right.hatch
+        && sight_distance (left.fill, right.fill, sight_visions[i]) < 0.1)
+      sight_fault (theme, "sign", ROLE_SIGN_LEFT, sight_vision_names[i], 0);
+}
+
+static void
+test_signs (void)
+{
+  sight_for_each_theme (check_signs);
+}
+
 /* A hatch is a mark upon its own area. */
 static void
 check_hatches (const Theme *theme)
@@ -305,6 +358,10 @@ test_high_contrast_is_higher (void)
 
     if (line.alpha > 0 && value < 7)
       g_error ("role %d: %g", role, value);
+    if (line.alpha > 0
+        && sight_contrast (theme->pale_lines[role], theme->background)
+               < TEXT_CONTRAST)
+      g_error ("pale role %d", role);
   }
 }
 
@@ -328,6 +385,34 @@ test_print_is_grey (void)
 
     if (role != ROLE_CELL)
       g_assert_true (is_grey (style.fill) && is_grey (style.line));
+  }
+}
+
+static gboolean
+is_black_or_white (Colour c)
+{
+  return c.alpha <= 0
+         || (c.alpha >= 1 && is_grey (c) && (c.red == 0 || c.red == 1));
+}
+
+/* A copier knows no grey: but for facet f and what is pointed at, ink is
+ * black, also when pale and behind the hull. */
+static void
+test_print_is_black_on_white (void)
+{
+  const Theme *theme = theme_get (THEME_PRINT);
+  int role;
+
+  g_assert_cmpfloat (theme->far_line, ==, 1);
+  for (role = 0; role < N_ROLES; role++) {
+    const Style style = sight_style (theme, (Role)role);
+    const gboolean is_light = colour_equal (style.line, theme->hover);
+
+    if (role == ROLE_SELECTED_FACET || is_light)
+      continue;
+    if (!is_black_or_white (style.line)
+        || !is_black_or_white (theme->pale_lines[role]) || style.is_shaded)
+      g_error ("role %d", role);
   }
 }
 
@@ -415,10 +500,15 @@ main (int argc, char **argv)
   g_test_add_func ("/theme/marks-in-space-stand-out-from-facets", test_space);
   g_test_add_func ("/theme/hatches-stand-out-from-their-areas", test_hatches);
   g_test_add_func ("/theme/what-is-pale-is-still-seen", test_pale);
+  g_test_add_func ("/theme/sites-behind-the-hull-stand-out-from-facets",
+                   test_behind);
+  g_test_add_func ("/theme/sign-maps-can-be-read", test_signs);
   g_test_add_func ("/theme/names-can-be-read", test_text);
   g_test_add_func ("/theme/high-contrast-is-higher",
                    test_high_contrast_is_higher);
   g_test_add_func ("/theme/print-is-grey", test_print_is_grey);
+  g_test_add_func ("/theme/print-is-black-on-white",
+                   test_print_is_black_on_white);
   g_test_add_func ("/theme/the-papers-colours-are-those-it-names",
                    test_papers_colours);
   g_test_add_func ("/theme/the-projectors-lines-are-heavy",

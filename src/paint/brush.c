@@ -56,7 +56,6 @@ brush_hatch_directions (const Style *style,
   const HatchDirection upright = { { 1, 0 }, step };
   const HatchDirection rising = { { 1, 1 }, slant };
   const HatchDirection falling = { { -1, 1 }, slant };
-  double wider = 1;
 
   directions[0] = rising;
   switch (style->hatch) {
@@ -74,18 +73,16 @@ brush_hatch_directions (const Style *style,
   case HATCH_UPRIGHT:
     directions[0] = upright;
     return 1;
+  case HATCH_CLOSE:
+    directions[0] = upright;
+    directions[0].step /= 2;
+    return 1;
   case HATCH_CROSSED:
     directions[1] = falling;
-    wider = 1.2;
-    break;
-  case HATCH_GRID:
-    directions[0] = level;
-    directions[1] = upright;
-    wider = 1.4;
     break;
   }
-  directions[0].step *= wider;
-  directions[1].step *= wider;
+  directions[0].step *= 1.2;
+  directions[1].step *= 1.2;
   return 2;
 }
 
@@ -162,7 +159,7 @@ hatch_polygon (cairo_t *cr,
   brush_hatch (style, theme, corners, n, trace_stroke, cr);
   cairo_set_dash (cr, NULL, 0, 0);
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
-  cairo_set_line_width (cr, BRUSH_HATCH_WIDTH * theme->line_factor);
+  cairo_set_line_width (cr, style->hatch_width);
   brush_colour (cr, style->line);
   cairo_stroke (cr);
 }

@@ -19,7 +19,6 @@ void brush_polygon (cairo_t *cr,
                     uint32_t n);
 
 /* Widths of what a style says nothing of. */
-#define BRUSH_HATCH_WIDTH 1.3 /* times the theme's line factor */
 #define BRUSH_HALO_ALPHA 0.5
 #define BRUSH_HALO_FILL_ALPHA 0.22
 #define BRUSH_HALO_OUTLINE 0.7 /* of a polygon, times the halo's width */

@@ -29,9 +29,10 @@ mix_number (uint64_t mark, uint64_t number)
 static uint64_t
 mark_of_style (const Style *style)
 {
-  const double lengths[]
-      = { style->width,  style->dash,     style->gap,       style->casing,
-          style->radius, style->ring_gap, style->halo_width };
+  const double lengths[] = { style->width,      style->dash,
+                             style->gap,        style->casing,
+                             style->radius,     style->ring_gap,
+                             style->halo_width, style->hatch_width };
   uint64_t mark = mix_number (1, (uint64_t)style->hatch << 8 | style->mark);
 
   mark = mix (mark, &style->fill, sizeof style->fill);

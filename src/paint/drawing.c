@@ -110,7 +110,7 @@ stroke_reach (const Drawing *drawing, const Stroke *stroke)
   case STROKE_POLYGON:
     return 1
            + fmax (style->width / 2 + style->halo_width,
-                   style->hatch == HATCH_NONE ? 0 : 2 * BRUSH_HATCH_WIDTH);
+                   style->hatch == HATCH_NONE ? 0 : 2 * style->hatch_width);
   case STROKE_CASING:
     return 1 + style->casing / 2;
   case STROKE_LINE:

@@ -99,7 +99,6 @@ hatch_polygon (GlBatch *batch,
   HatchDirection directions[2];
   const int n_directions
       = brush_hatch_directions (style, batch->theme, directions);
-  const double width = BRUSH_HATCH_WIDTH * batch->theme->line_factor;
   int i;
 
   for (i = 0; i < n_directions; i++) {
@@ -107,7 +106,7 @@ hatch_polygon (GlBatch *batch,
     const GlInk ink
         = { .colour = style->line,
             .shape = { (float)direction->normal[0], (float)direction->normal[1],
-                       (float)(width / 2) },
+                       (float)(style->hatch_width / 2) },
             .kind = GL_KIND_HATCH };
 
     add_polygon (batch, &ink, corners, n, (float)direction->step);

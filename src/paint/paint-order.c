@@ -4,9 +4,12 @@
 
 #include <glib.h>
 
+/* Marks of what is hidden come before those of all that is not. */
 static uint32_t
 layer_of (const Painter *painter, const SceneItem *item)
 {
+  if (item->shape == SHAPE_MARK && painter_hides (painter, item))
+    return 2 * DEPTH_LINES + 1;
   return 2 * (uint32_t)scene_depth (painter->scene, item, painter->projection)
          + (item->shape == SHAPE_MARK);
 }

@@ -55,6 +55,7 @@ painter_key (const Painter *painter, const SceneItem *item, StrokeKind kind)
   const uint64_t look = (uint64_t)item->role << 32 | (uint64_t)item->shape << 24
                         | (uint64_t)item->emphasis << 16
                         | (uint64_t)item->pass << 8
+                        | (uint64_t)painter->is_behind << 1
                         | (uint64_t)(item->object.kind == OBJECT_VERTEX);
   const uint64_t place = (uint64_t)item->n << 32
                          | painter->drawing->in_hand.layer << 8

@@ -33,13 +33,17 @@ typedef struct PainterSort {
 
 #define N_PAINTER_SORTS 1024 /* a power of two; sorts share places */
 
+typedef struct HiddenCorners HiddenCorners;
+
 typedef struct Painter {
   Drawing *drawing;
   const Scene *scene;
   const Projection *projection;
   const Theme *theme;
-  bool is_plain;      /* paints as if nothing were lit */
-  SceneDepth depth;   /* of the items in hand */
+  bool is_plain;    /* paints as if nothing were lit */
+  SceneDepth depth; /* of the items in hand */
+  bool is_behind;   /* the item in hand is a site that the hull hides */
+  const HiddenCorners *hidden; /* NULL: it hides none */
   PainterSort *sorts; /* N_PAINTER_SORTS of them; NULL where few are painted */
   const Drawing *before; /* to take strokes from; or NULL */
   uint32_t cursor;       /* the next stroke of it */
@@ -63,6 +67,14 @@ void paint_order_init (PaintOrder *order,
                        const uint32_t *items,
                        uint32_t n);
 void paint_order_clear (PaintOrder *order);
+
+/* Returns: which corners of the hull are hidden by it, or NULL where there is
+ *          no hull; free with hidden_corners_free(). */
+HiddenCorners *hidden_corners_new (const Painter *painter);
+void hidden_corners_free (HiddenCorners *hidden);
+
+/* Whether an item is a site, or its lift, that painter->hidden hides. */
+bool painter_hides (const Painter *painter, const SceneItem *item);
 
 /* Adds strokes of @n items, ascending. */
 void painter_add_items (Painter *painter, const uint32_t *items, uint32_t n);

@@ -8,8 +8,6 @@
  * lines behind the hull thinner and paler than those before it. */
 #define GROUND_WIDTH 0.62
 #define UNDER_ALPHA 0.12
-#define FAR_WIDTH 0.75
-#define FAR_ALPHA 0.5
 #define FAR_FILL 0.45
 
 #define DASH_LEAST 2.8 /* of the lifts */
@@ -28,6 +26,8 @@ adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
 {
   const SceneDepth depth = painter->depth;
 
+  if (painter->is_behind)
+    theme_put_behind (painter->theme, style);
   if (!painter->scene->is_space)
     return;
   if (depth == DEPTH_GROUND || depth == DEPTH_UNDER) {
@@ -43,10 +43,13 @@ adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
   if (depth != DEPTH_HULL_FAR && depth != DEPTH_CONE_FAR)
     return;
   if (item->shape == SHAPE_PATH) {
-    style->width *= FAR_WIDTH;
-    style->line.alpha *= FAR_ALPHA;
+    style->width *= painter->theme->far_width;
+    style->line.alpha *= painter->theme->far_line;
     style->casing = 0;
   } else if (item->emphasis != EMPHASIS_LOUD) {
+    /* One hatch behind another would be a third. */
+    if (item->role == ROLE_UPPER || item->role == ROLE_VERTICAL)
+      style->hatch = HATCH_NONE;
     style->fill.alpha *= painter->theme->has_mat ? 0 : FAR_FILL;
     style->line.alpha *= FAR_FILL;
   }
@@ -84,6 +87,8 @@ style_as_lit (const Painter *painter, const SceneItem *item)
   if (painter->drawing->size < 1)
     adapt_to_crowd (painter, item, &style);
   adapt_to_depth (painter, item, &style);
+  if (item->shape == SHAPE_PATH && style.width > 0)
+    style.width = fmax (style.width, HAIRLINE * painter->drawing->size);
   return style;
 }
 
@@ -110,6 +115,7 @@ sort_of (const Painter *painter, const SceneItem *item)
   sort = (3 * sort + (uint32_t)item->emphasis) * 3 + (uint32_t)lit;
   sort = 3 * sort + (uint32_t)item->shape;
   sort = N_SCENE_DEPTHS * sort + (uint32_t)painter->depth;
+  sort = 2 * sort + painter->is_behind;
   return 2 * sort + (item->object.kind == OBJECT_VERTEX);
 }
 

@@ -223,7 +223,9 @@ add_layer (Painter *painter, const PaintOrder *order, uint32_t layer)
     if (item->shape == SHAPE_PATH && i >= cased)
       cased = MAX (add_casings (painter, order, i), i + 1);
     take_in_hand (painter, number, number);
+    painter->is_behind = painter_hides (painter, item);
     add_item (painter, item);
+    painter->is_behind = false;
   }
 }
 
@@ -281,9 +283,11 @@ add_bodies (Painter *painter, const PaintOrder *order, uint32_t layer)
 static void
 add_stock (Painter *painter)
 {
+  HiddenCorners *hidden = hidden_corners_new (painter);
   PaintOrder order;
   uint32_t layer;
 
+  painter->hidden = hidden;
   paint_order_init (&order, painter, NULL, painter->scene->stock.n_items);
   for (layer = 0; layer < N_PAINT_LAYERS; layer++) {
     const SceneDepth depth = paint_layer_depth (layer);
@@ -294,6 +298,8 @@ add_stock (Painter *painter)
       add_layer (painter, &order, layer);
   }
   paint_order_clear (&order);
+  painter->hidden = NULL;
+  hidden_corners_free (hidden);
 }
 
 /* How large marks and lines may be, that one can still tell them apart where
@@ -399,7 +405,7 @@ painter_paint (cairo_t *cr,
   cairo_new_path (cr);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
   cairo_set_antialias (cr, flags & PAINTER_FAST ? CAIRO_ANTIALIAS_NONE
-                                                : CAIRO_ANTIALIAS_FAST);
+                                                : CAIRO_ANTIALIAS_GOOD);
   if (!(flags & PAINTER_CLEAR))
     paint_background (cr, drawing);
   drawing_to_cairo (drawing, cr);

@@ -103,9 +103,7 @@ add_hatch (const Pixel ends[2], void *user)
 static void
 paint_hatch (Hand *hand, const Style *style, const Pixel *corners, uint32_t n)
 {
-  HatchPen pen = { hand,
-                   { .width = BRUSH_HATCH_WIDTH * hand->theme->line_factor
-                              * hand->scale } };
+  HatchPen pen = { hand, { .width = style->hatch_width * hand->scale } };
 
   if (style->hatch == HATCH_NONE || style->line.alpha <= 0)
     return;

@@ -31,4 +31,8 @@ theme_contrast (Theme *theme)
   theme->styles[ROLE_UPPER].hatch = HATCH_LEVEL;
   theme->styles[ROLE_UPPER].line = theme_colour (0x8fe09a, 1);
   theme->styles[ROLE_SHEET].line.alpha = 0.6;
+  theme->styles[ROLE_SIGN_LEFT].fill = theme_colour (0x2f7fd0, 1);
+  theme->styles[ROLE_SIGN_RIGHT].fill = theme_colour (0x6e5c00, 1);
+  theme->pale_line = 0.75;
+  theme->pale_contrast = 4.6;
 }

@@ -23,5 +23,6 @@ theme_dark (Theme *theme)
   theme_dip (theme, &palette);
   theme->cell_lightness = 0.31;
   theme->cell_chroma = 0.03;
+  theme->styles[ROLE_SIGN_RIGHT].fill = theme_colour (0x7d6415, 1);
   theme->styles[ROLE_LIFT_APEX].line = theme_colour (0xff9fd4, 1);
 }

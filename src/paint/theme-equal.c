@@ -21,7 +21,7 @@ static bool
 areas_equal (const Style *a, const Style *b)
 {
   return colour_equal (a->fill, b->fill) && a->hatch == b->hatch
-         && a->is_shaded == b->is_shaded;
+         && a->hatch_width == b->hatch_width && a->is_shaded == b->is_shaded;
 }
 
 static bool
@@ -45,6 +45,7 @@ grounds_equal (const Theme *a, const Theme *b)
          && colour_equal (a->selection, b->selection)
          && colour_equal (a->hover, b->hover)
          && colour_equal (a->selected_facet, b->selected_facet)
+         && colour_equal (a->selected_area, b->selected_area)
          && a->has_mat == b->has_mat;
 }
 
@@ -69,7 +70,9 @@ inks_equal (const Theme *a, const Theme *b)
   return a->cell_lightness == b->cell_lightness
          && a->cell_chroma == b->cell_chroma
          && a->cell_loudness == b->cell_loudness && a->pale_line == b->pale_line
-         && a->pale_fill == b->pale_fill;
+         && a->pale_contrast == b->pale_contrast
+         && a->pale_width == b->pale_width && a->pale_fill == b->pale_fill
+         && a->far_line == b->far_line && a->far_width == b->far_width;
 }
 
 bool

@@ -13,7 +13,7 @@ static const Palette palette = { {
     [INK_TEXT] = 0x000000,          [INK_SITE] = 0x000000,
     [INK_APEX] = 0xb800b8,          [INK_HOVER] = 0x6a2fb0,
     [INK_VISIBLE] = 0xb34700,       [INK_VISIBLE_UPPER] = 0x8f3900,
-    [INK_CONE] = 0xa070e0,          [INK_CONE_LINE] = 0x3d0c80,
+    [INK_CONE] = 0xb45cf0,          [INK_CONE_LINE] = 0x3d0c80,
     [INK_IN_HAND] = 0x4a2200,       [INK_HORIZON] = 0x000000,
     [INK_DELAUNAY] = 0x0000d8,      [INK_VORONOI] = 0x000000,
     [INK_CIRCLE] = 0x1a6ea6,        [INK_LOWER] = 0x00ffff,
@@ -32,7 +32,10 @@ theme_paper (Theme *theme)
   theme->cell_chroma = 0.06;
   theme->cell_loudness = 1.3;
   theme->has_mat = true;
-  theme->styles[ROLE_SHEET].fill.alpha = 0.2;
+  theme->styles[ROLE_SHEET].fill.alpha = 0.13;
+  theme->styles[ROLE_CONE].fill.alpha = 0.6;
+  theme->selected_area = theme_colour (0xffb3b3, 0.85);
+  theme->pale_fill = 0.16;
   theme->styles[ROLE_LOWER].fill.alpha = 1;
   theme->styles[ROLE_UPPER].fill.alpha = 1;
   theme->styles[ROLE_DELAUNAY_EDGE].width = 3.6;

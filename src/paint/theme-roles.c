@@ -7,6 +7,11 @@ typedef struct Row {
   Style style;                   /* all but the colours */
 } Row;
 
+#define HATCH_WIDTH 1.3 /* px */
+
+/* Of what is pale. Source: WCAG 2.1, 1.4.11. */
+#define PALE_CONTRAST 3.06
+
 static const Row rows[N_ROLES] = {
   [ROLE_GROUND] = { .fill = INK_PAPER,
                     .fill_alpha = 0.6,
@@ -36,7 +41,7 @@ static const Row rows[N_ROLES] = {
                       .line = INK_VERTICAL_LINE,
                       .style = { .hatch = HATCH_CROSSED, .is_shaded = true } },
   [ROLE_SIGN_LEFT] = { .fill = INK_LOWER },
-  [ROLE_SIGN_ZERO] = { .fill = INK_VISIBLE },
+  [ROLE_SIGN_ZERO] = { .fill = INK_HORIZON },
   [ROLE_SIGN_RIGHT] = { .fill = INK_SHEET },
   [ROLE_HULL_AREA] = { .fill = INK_LOWER, .fill_alpha = 0.22 },
   [ROLE_VISIBLE] = { .fill = INK_VISIBLE,
@@ -65,7 +70,7 @@ static const Row rows[N_ROLES] = {
                    .fill_alpha = 0.14,
                    .line = INK_HOVER,
                    .style = { .width = 1.2 } },
-  [ROLE_CIRCLE] = { .line = INK_CIRCLE, .style = { .width = 1.1 } },
+  [ROLE_CIRCLE] = { .line = INK_CIRCLE, .style = { .width = 1 } },
   [ROLE_CIRCLE_VISIBLE]
   = { .line = INK_VISIBLE,
       .style = { .width = 2, .dash = 8, .gap = 5, .casing = 4 } },
@@ -237,7 +242,11 @@ theme_dip (Theme *theme, const Palette *palette)
     .cell_chroma = 0.028,
     .cell_loudness = 2,
     .pale_line = 0.55,
+    .pale_contrast = PALE_CONTRAST,
+    .pale_width = 0.8,
     .pale_fill = 0.32,
+    .far_line = 0.5,
+    .far_width = 0.75,
   };
   for (role = 0; role < N_ROLES; role++) {
     theme->styles[role] = rows[role].style;
@@ -245,5 +254,6 @@ theme_dip (Theme *theme, const Palette *palette)
         = dip (palette, rows[role].fill, rows[role].fill_alpha);
     theme->styles[role].line
         = dip (palette, rows[role].line, rows[role].line_alpha);
+    theme->styles[role].hatch_width = HATCH_WIDTH;
   }
 }

@@ -10,12 +10,11 @@
 #define HALO_WIDTH 4.0
 #define LOUD_LIGHTNESS 0.97
 
-/* What is pale is thinner, and its contrast never less than this.
- * Source: WCAG 2.1, 1.4.11. */
-#define PALE_WIDTH 0.8
-#define PALE_CONTRAST 3.06
 #define N_HUES 24
 
+#define PALE_CELL 0.32 /* alpha: its hue is still its site's */
+
+#define BEHIND_RADIUS 0.7
 #define RING_GAP 3.2
 
 static void (*const makers[N_THEMES]) (Theme *theme) = {
@@ -63,8 +62,9 @@ cell_colour (const Theme *theme, uint32_t hue, bool is_loud)
 {
   const double chroma
       = theme->cell_chroma * (is_loud ? theme->cell_loudness : 1);
+  /* Without hues a darker cell would be of a kind of its own. */
   const double lightness
-      = theme->cell_lightness * (is_loud ? LOUD_LIGHTNESS : 1);
+      = theme->cell_lightness * (is_loud && chroma > 0 ? LOUD_LIGHTNESS : 1);
 
   return colour_oklch (lightness, chroma, GOLDEN_ANGLE * hue);
 }
@@ -118,7 +118,7 @@ fade (const Theme *theme, Colour line)
   double part = 1 - theme->pale_line;
   Colour pale = colour_mix (line, theme->background, part);
 
-  while (part > 0.02 && least_contrast (theme, pale) < PALE_CONTRAST) {
+  while (part > 0.02 && least_contrast (theme, pale) < theme->pale_contrast) {
     part -= 0.02;
     pale = colour_mix (line, theme->background, part);
   }
@@ -138,9 +138,10 @@ static void
 make_pale (const Theme *theme, Role role, Style *style)
 {
   style->line = theme->pale_lines[role];
-  style->fill.alpha *= theme->pale_fill;
-  style->width *= PALE_WIDTH;
-  style->casing *= PALE_WIDTH;
+  style->fill.alpha *= theme_has_hue (role) ? PALE_CELL : theme->pale_fill;
+  style->width *= theme->pale_width;
+  style->casing *= theme->pale_width;
+  style->hatch_width *= theme->pale_width;
 }
 
 /* Lit */
@@ -168,10 +169,22 @@ make_lit (const Theme *theme, const SceneItem *item, Style *style)
     style->line = colour;
     return;
   }
+  if (is_selected && item->role == ROLE_TRIANGLE
+      && theme->selected_area.alpha > 0)
+    style->fill = theme->selected_area;
   style->halo = colour;
   style->halo_width = is_selected ? HALO_WIDTH : 0.7 * HALO_WIDTH;
   if (is_thin || item->role == ROLE_CIRCLE_VISIBLE)
     style->halo_width /= 2;
+}
+
+void
+theme_put_behind (const Theme *theme, Style *style)
+{
+  style->radius *= BEHIND_RADIUS;
+  style->width *= theme->far_width;
+  style->line.alpha *= sqrt (theme->far_line);
+  style->casing = 0;
 }
 
 static void
@@ -179,6 +192,7 @@ scale (Style *style, double factor)
 {
   style->width *= factor;
   style->casing *= factor;
+  style->hatch_width *= factor;
   style->dash *= factor;
   style->gap *= factor;
   style->radius *= factor;
@@ -201,5 +215,7 @@ theme_style (const Theme *theme, const SceneItem *item)
   make_fade (item->fade, &style);
   scale (&style,
          style.mark == MARK_NONE ? theme->line_factor : theme->mark_factor);
+  if (style.mark == MARK_NONE && style.width > 0)
+    style.width = fmax (style.width, HAIRLINE);
   return style;
 }

@@ -23,7 +23,7 @@ typedef enum Hatch {
   HATCH_CROSSED,
   HATCH_LEVEL,
   HATCH_UPRIGHT,
-  HATCH_GRID, /* level and upright */
+  HATCH_CLOSE, /* upright, twice as close */
 } Hatch;
 
 typedef enum MarkShape {
@@ -40,6 +40,7 @@ typedef enum MarkShape {
 typedef struct Style {
   Colour fill; /* of polygons and hollow marks */
   Hatch hatch; /* in the line colour */
+  double hatch_width;
   Colour line; /* of outlines, paths, solid marks */
   double width;
   double dash, gap; /* of dashes; dash 0: solid. Dots: dash below width */
@@ -57,6 +58,7 @@ typedef struct Theme {
   const char *name;
   Colour background, text, selection, hover;
   Colour selected_facet; /* and its circle; else as selection */
+  Colour selected_area;  /* inside of a selected triangle; alpha 0: its own */
   Colour apex_text;      /* label of the site in hand */
   const char *font;      /* Pango family list of labels */
   double text_px;        /* labels; that of the site in hand is larger */
@@ -66,12 +68,19 @@ typedef struct Theme {
   double cell_lightness, cell_chroma; /* of the cells' hues, OKLCh */
   double cell_loudness;               /* by how much a new cell has more */
   double pale_line;                   /* how far what is pale keeps its ink */
+  double pale_contrast;               /* but it is never less than this */
+  double pale_width;                  /* of lines that are pale */
   double pale_fill;                   /* alpha of areas that are pale */
+  double far_line;                    /* alpha of lines behind the hull */
+  double far_width;
   bool has_mat; /* pure hues: neither the sheet nor far facets may shine
                    through facets and change them */
   Style styles[N_ROLES];
   Colour pale_lines[N_ROLES]; /* as far from the ground as must be */
 } Theme;
+
+/* Thinner lines would break where pixels are few, px. */
+#define HAIRLINE 0.5
 
 /* Returns: a theme in its own sizes; it lasts as long as the program. */
 const Theme *theme_get (ThemeKind kind);
@@ -87,6 +96,10 @@ bool theme_equal (const Theme *a, const Theme *b);
  * a pale hue of their own, which stays with their site: neighbours in number
  * are a golden angle apart. */
 Style theme_style (const Theme *theme, const SceneItem *item);
+
+/* A site that the hull hides is a smaller and paler mark without a ring, so
+ * that it does not seem to lie on the facet before it. */
+void theme_put_behind (const Theme *theme, Style *style);
 
 /* Whether the fill of a role is that of each item's own hue. */
 bool theme_has_hue (Role role);
