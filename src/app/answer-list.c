@@ -263,6 +263,15 @@ update_rows (AnswerList *list)
   list->is_updating = FALSE;
 }
 
+/* What is empty takes no room. */
+static gboolean
+has_rows (AnswerList *list)
+{
+  return list->rows->len > 0
+         || (list->chosen != NULL
+             && gtk_widget_get_visible (GTK_WIDGET (list->chosen)));
+}
+
 void
 answer_list_show (AnswerList *list, const Exercise *exercise)
 {
@@ -275,6 +284,7 @@ answer_list_show (AnswerList *list, const Exercise *exercise)
   }
   if (exercise != NULL)
     update_rows (list);
+  gtk_widget_set_visible (GTK_WIDGET (list), has_rows (list));
 }
 
 void

@@ -55,14 +55,15 @@ add_line (CodePanel *panel, const PseudocodeLine *line)
   gtk_container_add (GTK_CONTAINER (panel->lines), row);
 }
 
+/* Where no line is the current one, the listing begins at its top. */
 void
 code_panel_scroll (CodePanel *panel)
 {
-  GtkListBoxRow *row
-      = gtk_list_box_get_row_at_index (panel->lines, (int)panel->current);
+  const int line = panel->current == INDEX_NONE ? 0 : (int)panel->current;
+  GtkListBoxRow *row = gtk_list_box_get_row_at_index (panel->lines, line);
 
   if (row != NULL)
-    scroll_to (GTK_WIDGET (row), ROW_PX);
+    scroll_to_line (GTK_WIDGET (row), ROW_PX);
 }
 
 /* The listing of what is shown. */
@@ -98,8 +99,7 @@ update (CodePanel *panel)
   mark (panel, panel->current, FALSE);
   mark (panel, line, TRUE);
   panel->current = line;
-  if (line != INDEX_NONE)
-    code_panel_scroll (panel);
+  code_panel_scroll (panel);
 }
 
 static void

@@ -13,7 +13,7 @@ G_DECLARE_FINAL_TYPE (CodePanel, code_panel, HULL2VD, CODE_PANEL, GtkBox)
 
 void code_panel_set_session (CodePanel *panel, Session *session);
 
-/* Brings the current line into view. */
+/* Brings the current line into view, or the first where none is. */
 void code_panel_scroll (CodePanel *panel);
 
 G_END_DECLS

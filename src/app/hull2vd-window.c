@@ -73,6 +73,9 @@ hull2vd_window_update_title (Hull2vdWindow *window)
 
 /* Hints where a picture is empty */
 
+#define HINT_CHARACTERS 19 /* to a line: two lines of one length */
+#define MOST_CHARACTERS 60 /* one line, if there is room */
+
 static void
 set_hint (GtkLabel *label, const char *text)
 {
@@ -102,6 +105,10 @@ update_hints (Hull2vdWindow *window)
             set->n_sites == 0 ? _ ("Click in the plane to add the first site")
                               : NULL);
   set_hint (window->space_hint, space_hint (set, trace));
+  /* The lifts of more sites may be as high as a second line. */
+  gtk_label_set_max_width_chars (window->space_hint, set->n_distinct < 4
+                                                         ? HINT_CHARACTERS
+                                                         : MOST_CHARACTERS);
 }
 
 /* The undo buttons say what they undo. */

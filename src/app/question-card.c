@@ -215,6 +215,9 @@ show_buttons (QuestionCard *card)
   gtk_widget_set_visible (
       card->leave, !is_open && session_can_end_performance (card->session)
                        && !session_can_grade (card->session));
+  gtk_widget_set_visible (card->buttons,
+                          is_open || gtk_widget_get_visible (card->retry)
+                              || gtk_widget_get_visible (card->leave));
 }
 
 static void
@@ -250,7 +253,9 @@ update (QuestionCard *card)
    * other. */
   if (card->exercise == shown
       || session_get_performance (card->session) != NULL)
-    scroll_to (card->buttons, BUTTONS_MARGIN);
+    scroll_to (gtk_widget_get_visible (card->grade) ? card->grade
+                                                    : card->buttons,
+               BUTTONS_MARGIN);
 }
 
 static void

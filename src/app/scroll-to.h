@@ -10,6 +10,10 @@ G_BEGIN_DECLS
  * scrolls in, once all have their sizes; as little as is needed. */
 void scroll_to (GtkWidget *widget, int margin);
 
+/* The same for @line of a list. The first of its lines that is in view is seen
+ * whole, where there is as much to scroll. */
+void scroll_to_line (GtkWidget *line, int margin);
+
 G_END_DECLS
 
 #endif

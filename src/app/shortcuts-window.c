@@ -5,12 +5,15 @@
 
 #include <glib/gi18n.h>
 
-/* The first group whose prefix an action's name has takes it. */
+/* The first group whose prefix an action's name has takes it, but for those
+ * that are named whole. None is higher than a small screen. */
 static const struct {
   const char *title;
   const char *prefixes; /* separated by blanks */
 } groups[] = {
-  { N_ ("Steps"), "next back first last play previous goto" },
+  { N_ ("Steps"), "next back first last play goto" },
+  { N_ ("Lesson"), "next-stop previous-stop next-task previous-task "
+                   "next-lesson" },
   { N_ ("Sites"), "select delete undo redo nudge copy paste add move-site snap "
                   "generate" },
   { N_ ("Pictures"), "layer camera fit zoom" },
@@ -18,19 +21,36 @@ static const struct {
   { N_ ("Files and window"), "" },
 };
 
+static gboolean
+has_whole (guint group, const char *name)
+{
+  g_auto (GStrv) words = g_strsplit (groups[group].prefixes, " ", -1);
+
+  return g_strv_contains ((const char *const *)words, name);
+}
+
+static gboolean
+has_prefix (guint group, const char *name)
+{
+  g_auto (GStrv) prefixes = g_strsplit (groups[group].prefixes, " ", -1);
+
+  for (guint k = 0; prefixes[k] != NULL; k++)
+    if (g_str_has_prefix (name, prefixes[k]))
+      return TRUE;
+  return prefixes[0] == NULL;
+}
+
 static guint
 group_of (const Action *action)
 {
-  for (guint i = 0; i < G_N_ELEMENTS (groups); i++) {
-    g_auto (GStrv) prefixes = g_strsplit (groups[i].prefixes, " ", -1);
+  guint group = 0;
 
-    if (prefixes[0] == NULL)
+  for (guint i = 0; i < G_N_ELEMENTS (groups); i++)
+    if (has_whole (i, action->name))
       return i;
-    for (guint k = 0; prefixes[k] != NULL; k++)
-      if (g_str_has_prefix (action->name, prefixes[k]))
-        return i;
-  }
-  return G_N_ELEMENTS (groups) - 1;
+  while (!has_prefix (group, action->name))
+    group++;
+  return group;
 }
 
 static GtkWidget *
@@ -171,11 +191,30 @@ add_actions (GtkWidget *section, guint group)
   }
 }
 
+/* GTK writes the names of keys, such as Page_Down, where there is no word for
+ * them. */
+static void
+spell_keys (GtkWidget *widget, gpointer user)
+{
+  g_autoptr (GString) text = NULL;
+
+  if (GTK_IS_CONTAINER (widget))
+    gtk_container_forall (GTK_CONTAINER (widget), spell_keys, user);
+  if (!GTK_IS_LABEL (widget)
+      || !gtk_style_context_has_class (gtk_widget_get_style_context (widget),
+                                       "keycap"))
+    return;
+  text = g_string_new (gtk_label_get_text (GTK_LABEL (widget)));
+  if (text->len > 1 && g_string_replace (text, "_", " ", 0) > 0)
+    gtk_label_set_text (GTK_LABEL (widget), text->str);
+}
+
 /* Two columns beside each other need this much. */
 #define WIDE_PX 1400
+#define HIGH_PX 1040
 
 static gboolean
-is_narrow (GtkWindow *parent)
+is_small (GtkWindow *parent)
 {
   GdkDisplay *display = gtk_widget_get_display (GTK_WIDGET (parent));
   GdkMonitor *monitor = gdk_display_get_monitor_at_window (
@@ -183,12 +222,12 @@ is_narrow (GtkWindow *parent)
   GdkRectangle room;
 
   gdk_monitor_get_workarea (monitor, &room);
-  return room.width < WIDE_PX;
+  return room.width < WIDE_PX || room.height < HIGH_PX;
 }
 
-/* On a narrow screen each group is a section: one column. */
+/* On a small screen each group is a section: one column. */
 static void
-fill (GtkWidget *window, gboolean is_narrow)
+fill (GtkWidget *window, gboolean is_small)
 {
   static const struct {
     const char *name, *title;
@@ -199,15 +238,15 @@ fill (GtkWidget *window, gboolean is_narrow)
     { "touch", N_ ("Touch"), add_touch },
   };
   GtkWidget *section = add_section (
-      window, "keys", is_narrow ? _ (groups[0].title) : _ ("Keys"));
+      window, "keys", is_small ? _ (groups[0].title) : _ ("Keys"));
 
   for (guint i = 0; i < G_N_ELEMENTS (groups); i++) {
-    if (i > 0 && is_narrow)
+    if (i > 0 && is_small)
       section = add_section (window, groups[i].title, _ (groups[i].title));
     add_actions (section, i);
   }
   for (guint i = 0; i < G_N_ELEMENTS (others); i++) {
-    if (is_narrow)
+    if (is_small)
       section = add_section (window, others[i].name, _ (others[i].title));
     others[i].fill (section);
   }
@@ -224,7 +263,8 @@ shortcuts_window_show (GtkWindow *parent)
     window = gtk_widget_new (GTK_TYPE_SHORTCUTS_WINDOW, "modal", TRUE,
                              "transient-for", parent, "destroy-with-parent",
                              TRUE, NULL);
-    fill (window, is_narrow (parent));
+    fill (window, is_small (parent));
+    spell_keys (window, NULL);
     g_signal_connect (window, "delete-event",
                       G_CALLBACK (gtk_widget_hide_on_delete), NULL);
     g_object_set_data (G_OBJECT (parent), "shortcuts", window);

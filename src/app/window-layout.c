@@ -192,7 +192,16 @@ window_layout_save (Hull2vdWindow *window)
                        (int)session_get_step_size (window->session));
 }
 
-/* The tabs have another height for each stop: as much as its text leaves. */
+static void
+on_tab (GtkStack *stack, GParamSpec *property, GtkAdjustment *adjustment)
+{
+  (void)stack;
+  (void)property;
+  gtk_adjustment_set_value (adjustment, 0);
+}
+
+/* The tabs have another height for each stop, as much as its text leaves, and
+ * lines another one in each theme. */
 static void
 follow_line (Hull2vdWindow *window)
 {
@@ -201,9 +210,12 @@ follow_line (Hull2vdWindow *window)
   GtkAdjustment *adjustment
       = gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (scroll));
 
-  g_signal_connect_object (adjustment, "notify::page-size",
+  g_signal_connect_object (adjustment, "changed",
                            G_CALLBACK (code_panel_scroll), window->code_panel,
                            G_CONNECT_SWAPPED);
+  /* What one tab is scrolled to means nothing in another. */
+  g_signal_connect_object (window->stack, "notify::visible-child",
+                           G_CALLBACK (on_tab), adjustment, 0);
 }
 
 /* From here on, letters may be as large as the pictures have become. */
@@ -223,6 +235,12 @@ on_configure (GtkWidget *widget, GdkEventConfigure *event, gpointer user)
 }
 
 void
+window_layout_follow_width (GtkWidget *window)
+{
+  g_signal_connect (window, "configure-event", G_CALLBACK (on_configure), NULL);
+}
+
+void
 window_layout_init (Hull2vdWindow *window)
 {
   columns_set_folding (window->columns, window->right_column);
@@ -230,7 +248,7 @@ window_layout_init (Hull2vdWindow *window)
   restore (window);
   update_columns (window);
   follow_line (window);
-  g_signal_connect (window, "configure-event", G_CALLBACK (on_configure), NULL);
+  window_layout_follow_width (GTK_WIDGET (window));
   g_signal_connect (window->view_paned, "size-allocate",
                     G_CALLBACK (on_views_allocated), window);
 }

@@ -69,8 +69,8 @@ update_report (Hull2vdWindow *window, guint pane)
   cost = session_get_cost (session, pane);
   sentence = session_narrate_pane (session, pane);
   numbers = cost_text (&cost);
-  text = g_markup_printf_escaped ("%s\n<small>%s</small>", sentence, numbers);
-  gtk_label_set_markup (window->reports[pane], text);
+  text = g_strdup_printf ("%s\n%s", sentence, numbers);
+  gtk_label_set_text (window->reports[pane], text);
 }
 
 static GtkLabel *
@@ -81,7 +81,6 @@ make_report (void)
   gtk_label_set_xalign (GTK_LABEL (label), 0);
   gtk_label_set_yalign (GTK_LABEL (label), 0);
   gtk_label_set_line_wrap (GTK_LABEL (label), TRUE);
-  gtk_widget_set_size_request (label, -1, 96);
   gtk_style_context_add_class (gtk_widget_get_style_context (label), "report");
   return GTK_LABEL (label);
 }

@@ -83,6 +83,8 @@ void window_layout_init (Hull2vdWindow *window);
 void window_layout_save (Hull2vdWindow *window);
 gboolean window_layout_shows (Hull2vdWindow *window, WindowPanel panel);
 void window_layout_show (Hull2vdWindow *window, WindowPanel panel, gboolean on);
+/* Gives a window larger letters while it is wide. */
+void window_layout_follow_width (GtkWidget *window);
 
 /* window-panes.c: what the two pictures show. */
 void window_panes_init (Hull2vdWindow *window);
@@ -132,6 +134,8 @@ void window_picture_copy (Hull2vdWindow *window);
 
 /* window-theme.c: the theme of pictures and chrome. */
 void window_theme_init (Hull2vdWindow *window);
+/* All that belongs to @window, in its theme. */
+void window_theme_dress (Hull2vdWindow *window);
 
 /* window-space.c: space in a window of its own. */
 void window_space_init (Hull2vdWindow *window);

@@ -137,6 +137,7 @@ make_window (Hull2vdWindow *window)
   gtk_window_set_titlebar (GTK_WINDOW (space), make_title_bar ());
   gtk_window_set_default_size (GTK_WINDOW (space), width, height);
   gtk_style_context_add_class (gtk_widget_get_style_context (space), "hull2vd");
+  window_layout_follow_width (space);
   /* Menus and buttons in it find their actions. */
   gtk_widget_insert_action_group (space, "win", G_ACTION_GROUP (window));
   g_signal_connect (space, "delete-event", G_CALLBACK (on_space_delete),
@@ -170,6 +171,7 @@ window_space_detach (Hull2vdWindow *window, gboolean detached)
     return;
   }
   window->space_window = make_window (window);
+  window_theme_dress (window);
   move_space (window, GTK_CONTAINER (window->space_window));
   gtk_window_present (GTK_WINDOW (window->space_window));
 }

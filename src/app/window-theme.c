@@ -114,23 +114,25 @@ choose_gtk_theme (ThemeKind kind)
 }
 
 static void
-set_class (Hull2vdWindow *window, ThemeKind kind)
+set_class (GtkWidget *widget, ThemeKind kind)
 {
-  GtkStyleContext *style = gtk_widget_get_style_context (GTK_WIDGET (window));
+  GtkStyleContext *style = gtk_widget_get_style_context (widget);
 
   for (int i = 0; i < N_THEMES; i++)
     gtk_style_context_remove_class (style, theme_kind_name ((ThemeKind)i));
   gtk_style_context_add_class (style, theme_kind_name (kind));
 }
 
-static void
-dress (Hull2vdWindow *window)
+void
+window_theme_dress (Hull2vdWindow *window)
 {
   const ThemeKind kind = session_get_appearance (window->session)->theme;
 
   choose_gtk_theme (kind);
   load_colours (theme_get (kind));
-  set_class (window, kind);
+  set_class (GTK_WIDGET (window), kind);
+  if (window->space_window != NULL)
+    set_class (window->space_window, kind);
 }
 
 static void
@@ -139,7 +141,7 @@ on_changed (Session *session, guint changes, Hull2vdWindow *window)
   (void)session;
   if ((changes & CHANGED_APPEARANCE) == 0)
     return;
-  dress (window);
+  window_theme_dress (window);
   if (window->settings != NULL)
     save (window);
 }
@@ -149,7 +151,7 @@ static void
 on_active (Hull2vdWindow *window)
 {
   if (window->session != NULL && gtk_window_is_active (GTK_WINDOW (window)))
-    dress (window);
+    window_theme_dress (window);
 }
 
 void
@@ -157,7 +159,7 @@ window_theme_init (Hull2vdWindow *window)
 {
   if (window->settings != NULL)
     restore (window);
-  dress (window);
+  window_theme_dress (window);
   g_signal_connect_object (window->session, "changed", G_CALLBACK (on_changed),
                            window, 0);
   g_signal_connect (window, "notify::is-active", G_CALLBACK (on_active), NULL);

@@ -1,10 +1,12 @@
 /* The window in one language: nothing that must be read is cut off, whatever
  * its words are. Needs a display: run by tests/headless.sh.
  * The language is that of LC_ALL and LANGUAGE. */
+#include "code-panel.h"
 #include "document.h"
 #include "hull2vd-application.h"
 #include "hull2vd-window.h"
 #include "locate.h"
+#include "plane-view.h"
 
 #include <locale.h>
 #include <string.h>
@@ -244,6 +246,117 @@ test_nothing_is_cut_off_in_a_small_window (void)
   inspect_lessons (4, 1024, 768);
 }
 
+/* What stays where it is */
+
+typedef struct Search {
+  GType type;
+  GtkWidget *found;
+} Search;
+
+static void
+search (GtkWidget *widget, gpointer user)
+{
+  Search *wanted = user;
+
+  if (wanted->found == NULL && gtk_widget_get_mapped (widget)
+      && g_type_is_a (G_OBJECT_TYPE (widget), wanted->type))
+    wanted->found = widget;
+  if (wanted->found == NULL && GTK_IS_CONTAINER (widget))
+    gtk_container_forall (GTK_CONTAINER (widget), search, wanted);
+}
+
+/* Returns: (transfer none): the first of its kind that is seen below @top. */
+static GtkWidget *
+find_widget (GtkWidget *top, GType type)
+{
+  Search wanted = { type, NULL };
+
+  search (top, &wanted);
+  g_assert_nonnull (wanted.found);
+  return wanted.found;
+}
+
+/* The largest letters on the smallest screen. */
+static void
+open_narrow (guint lesson)
+{
+  g_autoptr (GPtrArray) paths = locate_lesson_files ();
+
+  resize (1024, 768);
+  g_assert_true (
+      document_open (stage.session, g_ptr_array_index (paths, lesson), NULL));
+  session_set_theme (stage.session, THEME_PROJECTOR);
+  wait_ms (GTK_WIDGET (stage.window), 500);
+}
+
+static void
+assert_same_place (GtkWidget *widget, const GtkAllocation *place)
+{
+  GtkAllocation now;
+
+  settle (GTK_WIDGET (stage.window));
+  gtk_widget_get_allocation (widget, &now);
+  g_assert_cmpint (now.x, ==, place->x);
+  g_assert_cmpint (now.width, ==, place->width);
+  g_assert_cmpint (now.height, ==, place->height);
+}
+
+/* Sentences are of one line or two, and buttons come and go. */
+static void
+test_pictures_keep_their_place (void)
+{
+  GtkWidget *plane;
+  GtkAllocation place;
+
+  open_narrow (7);
+  plane = find_widget (GTK_WIDGET (stage.window), PLANE_VIEW_TYPE);
+  gtk_widget_get_allocation (plane, &place);
+  for (guint step = 0; step <= session_get_n_steps (stage.session); step++) {
+    session_set_step (stage.session, step);
+    assert_same_place (plane, &place);
+  }
+  g_assert_true (session_perform (stage.session, "", NULL));
+  assert_same_place (plane, &place);
+  session_end_performance (stage.session);
+}
+
+static void
+assert_no_line_is_cut_at_the_top (void)
+{
+  GtkWidget *lines
+      = find_widget (find_widget (GTK_WIDGET (stage.window), CODE_PANEL_TYPE),
+                     GTK_TYPE_LIST_BOX);
+  GtkWidget *view = gtk_widget_get_ancestor (lines, GTK_TYPE_VIEWPORT);
+  g_autoptr (GList) rows = gtk_container_get_children (GTK_CONTAINER (lines));
+
+  for (GList *node = rows; node != NULL; node = node->next) {
+    const int height = gtk_widget_get_allocated_height (node->data);
+    int x, y;
+
+    gtk_widget_translate_coordinates (node->data, view, 0, 0, &x, &y);
+    g_assert_true (y >= 0 || y + height <= 0);
+    if (gtk_style_context_has_class (gtk_widget_get_style_context (node->data),
+                                     "current"))
+      g_assert_cmpint (y + height, <=, gtk_widget_get_allocated_height (view));
+  }
+}
+
+static void
+test_lines_of_code_are_seen_whole (void)
+{
+  guint step;
+
+  open_narrow (7);
+  for (Phase phase = PHASE_CHOOSE; phase <= PHASE_COMPLETE; phase++) {
+    g_assert_true (session_find_step (
+        stage.session, (Place){ phase == PHASE_COMPLETE ? 0 : 2, phase }, FALSE,
+        &step));
+    session_set_step (stage.session, step);
+    wait_ms (GTK_WIDGET (stage.window), 150);
+    assert_no_line_is_cut_at_the_top ();
+  }
+}
+
 /* Dialogs */
 
 /* Returns: (transfer none): a window beside the main one, or NULL. */
@@ -260,6 +373,21 @@ find_dialog (void)
   return NULL;
 }
 
+/* Of the screen, which is higher than a small one, a title bar and a panel take
+ * their part. */
+#define SMALL_HEIGHT (768 - 57)
+
+static void
+inspect_size (GtkWidget *dialog, const char *action, GPtrArray *faults)
+{
+  int height;
+
+  gtk_widget_get_preferred_height (dialog, &height, NULL);
+  if (height > SMALL_HEIGHT)
+    g_ptr_array_add (faults,
+                     g_strdup_printf ("%s: it is %d px high", action, height));
+}
+
 static void
 inspect_dialog (const char *action, GPtrArray *faults)
 {
@@ -274,6 +402,7 @@ inspect_dialog (const char *action, GPtrArray *faults)
     g_error ("no dialog: %s", action);
   wait_ms (dialog, 300);
   inspect_top (dialog, action, faults);
+  inspect_size (dialog, action, faults);
   gtk_window_close (GTK_WINDOW (dialog));
   wait_ms (GTK_WIDGET (stage.window), 100);
 }
@@ -325,6 +454,10 @@ main (int argc, char **argv)
                    test_nothing_is_cut_off_in_a_large_window);
   g_test_add_func ("/layout/nothing-is-cut-off-in-a-small-window",
                    test_nothing_is_cut_off_in_a_small_window);
+  g_test_add_func ("/layout/pictures-keep-their-place",
+                   test_pictures_keep_their_place);
+  g_test_add_func ("/layout/lines-of-code-are-seen-whole",
+                   test_lines_of_code_are_seen_whole);
   g_test_add_func ("/layout/nothing-is-cut-off-in-dialogs",
                    test_nothing_is_cut_off_in_dialogs);
   status = g_test_run ();
