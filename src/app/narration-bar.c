@@ -47,8 +47,9 @@ place_text (Session *session)
   const Place place = session_get_place (session);
   const char *phase = phase_text (place.phase);
 
-  /* What stands still has no time. */
-  if (n_events == 0)
+  /* What stands still has no time, and where there are no sites there is
+   * nothing that could be complete. */
+  if (n_events == 0 || session_get_set (session)->n_sites == 0)
     return g_strdup ("");
   if (place.round == 0 || place.phase == PHASE_COMPLETE)
     return g_strdup_printf (_ ("event %u of %u · %s"), step, n_events, phase);

@@ -3,10 +3,9 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-/* Room between ticks, and between the starts of two labels. */
+/* Room between ticks, and between two labels. */
 #define TICK_PX 6.0
-#define LABEL_PX 34.0
-#define WIDE_LABEL_PX 64.0
+#define LABEL_PX 12.0
 #define DOT_REACH_PX 5.0
 
 struct _Scrubber {
@@ -14,6 +13,7 @@ struct _Scrubber {
   Session *session;
   guint marks_source; /* marks wait to be made for another width */
   int width;          /* the width they were made for */
+  double letter_px;   /* and the width of their letters */
 };
 
 G_DEFINE_TYPE (Scrubber, scrubber, GTK_TYPE_SCALE)
@@ -21,44 +21,63 @@ G_DEFINE_TYPE (Scrubber, scrubber, GTK_TYPE_SCALE)
 /* Marks */
 
 typedef struct MarkWalk {
-  GtkScale *scale;
+  GtkWidget *scale;
   double px_per_step;
-  double tick_px;  /* of the last tick */
-  double label_px; /* where the last label ends */
+  double tick_px;   /* of the last tick */
+  double label_px;  /* where the last label ends */
+  double end_px;    /* where that of the end begins */
+  gboolean is_told; /* that the numbers are those of rounds */
 } MarkWalk;
 
-/* A tick, with its label where there is room for it. */
-static void
-add_tick (MarkWalk *walk, guint step, const char *text, double room_px)
+/* In the letters of the theme, on a wide screen larger ones. */
+static double
+get_text_px (GtkWidget *scale, const char *text)
+{
+  PangoLayout *layout = gtk_widget_create_pango_layout (scale, text);
+  int width;
+
+  pango_layout_get_pixel_size (layout, &width, NULL);
+  g_object_unref (layout);
+  return width;
+}
+
+/* A tick, with its label where there is room for it.
+ *
+ * Returns: whether it has its label. */
+static gboolean
+add_tick (MarkWalk *walk, guint step, const char *text)
 {
   const double px = step * walk->px_per_step;
-  const gboolean has_label = px - room_px / 2 >= walk->label_px;
+  const double half_px = get_text_px (walk->scale, text) / 2;
+  const gboolean has_label = px - half_px >= walk->label_px + LABEL_PX
+                             && px + half_px <= walk->end_px - LABEL_PX;
 
   if (px - walk->tick_px < TICK_PX && !has_label)
-    return;
-  gtk_scale_add_mark (walk->scale, step, GTK_POS_BOTTOM,
+    return FALSE;
+  gtk_scale_add_mark (GTK_SCALE (walk->scale), step, GTK_POS_BOTTOM,
                       has_label ? text : NULL);
   walk->tick_px = px;
   if (has_label)
-    walk->label_px = px + room_px / 2;
+    walk->label_px = px + half_px;
+  return has_label;
 }
 
-/* A round is named where it begins. */
+/* A round is named where it begins; the first of their numbers says what they
+ * are. */
 static void
 add_rounds (MarkWalk *walk, Session *session)
 {
-  const double end_px = session_get_n_steps (session) * walk->px_per_step;
   guint step;
 
   for (guint i = 0;
        session_find_step (session, (Place){ i + 1, PHASE_CHOOSE }, TRUE, &step);
        i++) {
-    g_autofree char *text
-        = i == 0 ? g_strdup (_ ("round 1")) : g_strdup_printf ("%u", i + 1);
+    g_autofree char *text = walk->is_told
+                                ? g_strdup_printf ("%u", i + 1)
+                                : g_strdup_printf (_ ("round %u"), i + 1);
 
-    if (step * walk->px_per_step > end_px - WIDE_LABEL_PX / 2)
-      break;
-    add_tick (walk, step, text, i == 0 ? WIDE_LABEL_PX : LABEL_PX);
+    if (add_tick (walk, step, text))
+      walk->is_told = TRUE;
   }
 }
 
@@ -73,20 +92,50 @@ add_stops (Scrubber *scrubber)
       gtk_scale_add_mark (GTK_SCALE (scrubber), step, GTK_POS_TOP, NULL);
 }
 
+/* Sites on one circle have none in space, nor have three. */
+static gboolean
+has_hull (Session *session)
+{
+  switch (session_get_exhibit_kind (session)) {
+  case EXHIBIT_LIFTS:
+  case EXHIBIT_COMPARE:
+    return !session_get_trace (session)->is_flat;
+  case EXHIBIT_SIGNS:
+    return FALSE;
+  case EXHIBIT_PLANAR:
+  case EXHIBIT_ROUNDED:
+    return TRUE;
+  }
+  return FALSE;
+}
+
+static void
+add_ends (MarkWalk *walk, Session *session)
+{
+  const guint n_steps = MAX (session_get_n_steps (session), 1);
+  const char *start
+      = session_get_n_rounds (session) == 0 ? _ ("start") : _ ("simplex");
+  const char *end = has_hull (session) ? _ ("hull") : _ ("end");
+
+  gtk_scale_add_mark (GTK_SCALE (walk->scale), 0, GTK_POS_BOTTOM, start);
+  gtk_scale_add_mark (GTK_SCALE (walk->scale), n_steps, GTK_POS_BOTTOM, end);
+  walk->tick_px = 0;
+  /* They begin and end where the scale does. */
+  walk->label_px = get_text_px (walk->scale, start);
+  walk->end_px = n_steps * walk->px_per_step - get_text_px (walk->scale, end);
+}
+
 static void
 make_marks (Scrubber *scrubber)
 {
   Session *session = scrubber->session;
-  const guint n = MAX (session_get_n_steps (session), 1);
-  MarkWalk walk = { GTK_SCALE (scrubber), scrubber->width / (double)n, -TICK_PX,
-                    -WIDE_LABEL_PX };
+  const guint n_steps = session_get_n_steps (session);
+  MarkWalk walk = { .scale = GTK_WIDGET (scrubber),
+                    .px_per_step = scrubber->width / (double)MAX (n_steps, 1) };
 
   gtk_scale_clear_marks (GTK_SCALE (scrubber));
-  add_tick (&walk, 0,
-            session_get_n_rounds (session) == 0 ? _ ("start") : _ ("simplex"),
-            WIDE_LABEL_PX);
+  add_ends (&walk, session);
   add_rounds (&walk, session);
-  gtk_scale_add_mark (GTK_SCALE (scrubber), n, GTK_POS_BOTTOM, _ ("hull"));
   add_stops (scrubber);
 }
 
@@ -100,6 +149,28 @@ on_marks_due (gpointer user)
   return G_SOURCE_REMOVE;
 }
 
+static void
+queue_marks (Scrubber *scrubber)
+{
+  if (scrubber->marks_source == 0)
+    scrubber->marks_source = g_idle_add (on_marks_due, scrubber);
+}
+
+/* Themes have letters of their own. */
+static void
+scrubber_style_updated (GtkWidget *widget)
+{
+  Scrubber *scrubber = HULL2VD_SCRUBBER (widget);
+  double letter_px;
+
+  GTK_WIDGET_CLASS (scrubber_parent_class)->style_updated (widget);
+  letter_px = get_text_px (widget, "x");
+  if (scrubber->session == NULL || letter_px == scrubber->letter_px)
+    return;
+  scrubber->letter_px = letter_px;
+  queue_marks (scrubber);
+}
+
 /* Not while sizes are being given: marks ask for a new size. */
 static void
 scrubber_size_allocate (GtkWidget *widget, GtkAllocation *allocation)
@@ -110,8 +181,7 @@ scrubber_size_allocate (GtkWidget *widget, GtkAllocation *allocation)
   if (allocation->width == scrubber->width || scrubber->session == NULL)
     return;
   scrubber->width = allocation->width;
-  if (scrubber->marks_source == 0)
-    scrubber->marks_source = g_idle_add (on_marks_due, scrubber);
+  queue_marks (scrubber);
 }
 
 /* Value */
@@ -139,6 +209,7 @@ update (Scrubber *scrubber)
   gtk_adjustment_configure (adjustment, step, 0, MAX (n_events, 1), 1,
                             MAX (n_events / 10, 1), 0);
   g_signal_handlers_unblock_by_func (scrubber, on_value_changed, NULL);
+  gtk_widget_set_sensitive (GTK_WIDGET (scrubber), n_events > 0);
 }
 
 static void
@@ -235,6 +306,7 @@ scrubber_class_init (ScrubberClass *class)
 {
   G_OBJECT_CLASS (class)->dispose = scrubber_dispose;
   GTK_WIDGET_CLASS (class)->size_allocate = scrubber_size_allocate;
+  GTK_WIDGET_CLASS (class)->style_updated = scrubber_style_updated;
   GTK_WIDGET_CLASS (class)->query_tooltip = scrubber_query_tooltip;
 }
 
