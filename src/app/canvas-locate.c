@@ -33,9 +33,10 @@ rectangle_around (const Point3 *points, guint n_points)
     low[axis] = CLAMP (low[axis], -1e6, 1e6);
     high[axis] = CLAMP (high[axis], -1e6, 1e6);
   }
-  return (GdkRectangle){ (int)low[0] - 8, (int)low[1] - 8,
-                         (int)(high[0] - low[0]) + 16,
-                         (int)(high[1] - low[1]) + 16 };
+  return (GdkRectangle){ (int)low[0] - LOCATE_MARGIN_PX,
+                         (int)low[1] - LOCATE_MARGIN_PX,
+                         (int)(high[0] - low[0]) + 2 * LOCATE_MARGIN_PX,
+                         (int)(high[1] - low[1]) + 2 * LOCATE_MARGIN_PX };
 }
 
 /* The sites at the corners of an object; returns their number. */

@@ -1,11 +1,14 @@
 #include "canvas.h"
 
+#include "brush.h"
 #include "canvas-accessible.h"
 #include "canvas-input.h"
 #include "canvas-keys.h"
 #include "canvas-show.h"
 
 #include <math.h>
+
+#define RING_GAP_PX 2 /* between a mark and the ring of the focus */
 
 typedef struct CanvasPrivate {
   Session *session;
@@ -165,6 +168,30 @@ trace_outline (Canvas *canvas, cairo_t *cr)
   return TRUE;
 }
 
+/* How far a ring stands off what is located, so that it is round the mark of a
+ * site, however large marks are. */
+static double
+ring_distance (Canvas *canvas, Object object)
+{
+  const gboolean is_apex
+      = object.kind == OBJECT_SITE
+        && object.number == session_get_apex (canvas_get_session (canvas));
+  const SceneItem item = { .role = is_apex ? ROLE_SITE_APEX : ROLE_SITE_OUTSIDE,
+                           .emphasis = EMPHASIS_LOUD };
+  const Style style = theme_style (canvas_get_theme (canvas), &item);
+
+  return MAX (0, brush_mark_reach (&style) + RING_GAP_PX - LOCATE_MARGIN_PX);
+}
+
+static void
+trace_box (Canvas *canvas, cairo_t *cr, const GdkRectangle *box)
+{
+  const double distance = ring_distance (canvas, priv (canvas)->cursor);
+
+  cairo_rectangle (cr, box->x - distance, box->y - distance,
+                   box->width + 2 * distance, box->height + 2 * distance);
+}
+
 static void
 stroke_ring (cairo_t *cr, const Theme *theme)
 {
@@ -191,7 +218,7 @@ draw_focus (Canvas *canvas, cairo_t *cr)
   if (trace_outline (canvas, cr))
     stroke_ring (cr, canvas_get_theme (canvas));
   else if (canvas_locate (canvas, priv (canvas)->cursor, &box)) {
-    cairo_rectangle (cr, box.x, box.y, box.width, box.height);
+    trace_box (canvas, cr, &box);
     stroke_ring (cr, canvas_get_theme (canvas));
   } else
     gtk_render_focus (gtk_widget_get_style_context (widget), cr, 1, 1,

@@ -86,7 +86,9 @@ void canvas_show_focus (Canvas *canvas, gboolean shows);
  * of the window may have it. */
 gboolean canvas_wants_key (Canvas *canvas, const GdkEventKey *event);
 
-/* Where an object is drawn.
+#define LOCATE_MARGIN_PX 8
+
+/* Where an object is drawn, with LOCATE_MARGIN_PX round it.
  *
  * Returns: FALSE when it is not shown. */
 gboolean canvas_locate (Canvas *canvas, Object object, GdkRectangle *rectangle);
