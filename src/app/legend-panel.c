@@ -123,11 +123,21 @@ steep_text (Role role, const Frame *frame)
   return has_upper ? N_ ("cone: not lower") : N_ ("cone: vertical");
 }
 
+/* Where no hull is drawn, a site is not said to be on it. */
+static gboolean
+has_hull (Session *session)
+{
+  return session_get_exhibit_kind (session) != EXHIBIT_LIFTS
+         || (session_get_look (session)->layers & LAYER_HULL) != 0;
+}
+
 static const char *
 template_of (Role role, Session *session)
 {
   if (role == ROLE_VISIBLE_UPPER || role == ROLE_CONE_UPPER)
     return steep_text (role, session_get_frame (session));
+  if (role == ROLE_SITE && !has_hull (session))
+    return N_ ("site");
   return session_get_exhibit_kind (session) == EXHIBIT_PLANAR
                  && planar_texts[role] != NULL
              ? planar_texts[role]

@@ -8,6 +8,7 @@ typedef enum Sample {
   SAMPLE_AREA,
   SAMPLE_LINE,
   SAMPLE_CIRCLE,
+  SAMPLE_SQUARE,
   SAMPLE_MARK,
 } Sample;
 
@@ -18,6 +19,8 @@ sample_of (Role role)
     return SAMPLE_MARK;
   if (role >= ROLE_CIRCLE && role <= ROLE_ELLIPSE)
     return SAMPLE_CIRCLE;
+  if (role == ROLE_SIGN_NODE)
+    return SAMPLE_SQUARE;
   if (role == ROLE_GROUND || role == ROLE_RIM || role == ROLE_SELECTED_FACET
       || role == ROLE_RETIRED || role >= ROLE_VORONOI_EDGE)
     return SAMPLE_LINE;
@@ -56,6 +59,13 @@ trace_sample (cairo_t *cr, Sample sample, const double size[2])
     cairo_arc (cr, size[0] / 2, size[1] / 2, radius, 0, 2 * G_PI);
     return;
   }
+  if (sample == SAMPLE_SQUARE) {
+    const double side = MIN (size[0], size[1]) / 2;
+
+    cairo_rectangle (cr, (size[0] - side) / 2, (size[1] - side) / 2, side,
+                     side);
+    return;
+  }
   cairo_move_to (cr, 2, size[1] / 2);
   cairo_line_to (cr, size[0] - 2, size[1] / 2);
 }
@@ -80,13 +90,15 @@ fit (Style *style, Sample sample, const double size[2])
   const double length
       = sample == SAMPLE_CIRCLE ? G_PI * (height - 3) : size[0] - 4;
   const double period = style->dash + style->gap;
+  /* A line may be as heavy as this part of the height; a ring has two. */
+  const double most = sample == SAMPLE_LINE ? 2.6 : 5.2;
 
   if (sample == SAMPLE_MARK && brush_mark_reach (style) > 0)
     scale (style, MIN (1, height / 2 / brush_mark_reach (style)));
   if (sample == SAMPLE_MARK || sample == SAMPLE_AREA)
     return;
   if (style->width > 0)
-    scale (style, MIN (1, height / 2.6 / style->width));
+    scale (style, MIN (1, height / most / style->width));
   if (style->dash > 0)
     scale (style, MIN (1, length / 3 / period));
 }
