@@ -2,6 +2,8 @@
 
 #include <glib/gi18n.h>
 
+#define MOST_OF_SCREEN 0.9
+
 typedef struct Choice {
   FileChosen on_chosen;
   gpointer user;
@@ -49,6 +51,34 @@ make_dialog (GtkWindow *parent, const char *title, gboolean saves)
   return GTK_FILE_CHOOSER (dialog);
 }
 
+/* GTK's own dialog, where the desktop has none, is as large as letters ask for:
+ * larger than a small screen. */
+static void
+fit_dialog (GtkWindow *dialog)
+{
+  GdkWindow *surface = gtk_widget_get_window (GTK_WIDGET (dialog));
+  GdkMonitor *monitor = gdk_display_get_monitor_at_window (
+      gtk_widget_get_display (GTK_WIDGET (dialog)), surface);
+  GdkRectangle room;
+  int width, height;
+
+  gdk_monitor_get_workarea (monitor, &room);
+  gtk_window_get_size (dialog, &width, &height);
+  gtk_window_resize (dialog, MIN (width, MOST_OF_SCREEN * room.width),
+                     MIN (height, MOST_OF_SCREEN * room.height));
+}
+
+static void
+fit_dialogs (void)
+{
+  g_autoptr (GList) tops = gtk_window_list_toplevels ();
+
+  for (GList *node = tops; node != NULL; node = node->next)
+    if (GTK_IS_FILE_CHOOSER_DIALOG (node->data)
+        && gtk_widget_get_mapped (node->data))
+      fit_dialog (node->data);
+}
+
 static void
 show_dialog (GtkFileChooser *dialog,
              GtkWindow *parent,
@@ -64,6 +94,7 @@ show_dialog (GtkFileChooser *dialog,
   g_signal_connect (dialog, "response", G_CALLBACK (on_response), choice);
   g_object_set_data (G_OBJECT (parent), OPEN_DIALOG, dialog);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (dialog));
+  fit_dialogs ();
 }
 
 static void

@@ -193,14 +193,16 @@ static void
 append_lesson (GMenu *menu, const LessonEntry *entry)
 {
   const guint number = lesson_list_number (entry->path);
+  /* As wide as a digit. */
+  const char *blank = number < 10 ? "\u2007" : "";
   g_autofree char *done
       = lesson_list_progress (progress_keeper_get (), entry->path);
   g_autofree char *title
       = done == NULL ? g_strdup (entry->title)
                      : g_strdup_printf ("%s   (%s)", entry->title, done);
-  g_autofree char *text = number > 0
-                              ? g_strdup_printf ("%u   %s", number, title)
-                              : g_strdup (title);
+  g_autofree char *text
+      = number > 0 ? g_strdup_printf ("%s%u   %s", blank, number, title)
+                   : g_strdup (title);
   g_autoptr (GMenuItem) item = g_menu_item_new (text, NULL);
 
   g_menu_item_set_action_and_target (item, "win.open-file", "s", entry->path);
