@@ -133,6 +133,62 @@ test_labels_avoid_lines (void)
   label_sheet_free (sheet);
 }
 
+/* A name in the middle of a heavy line lies beside all its width. */
+static void
+test_labels_avoid_heavy_lines (void)
+{
+  LabelSheet *sheet = label_sheet_new (200, 200, NULL);
+  const Pixel upright[2] = { { 100, 0 }, { 100, 200 } };
+  Label label = { .text = "e6",
+                  .at = { 100, 100 },
+                  .width = 20,
+                  .height = 14,
+                  .is_centred = true };
+
+  label_sheet_line (sheet, upright, 9);
+  label_sheet_place (sheet, &label, 1);
+  g_assert_true (label.is_placed);
+  g_assert_true (label.low.x + label.width <= 100 - 4.5
+                 || label.low.x >= 100 + 4.5);
+  label_sheet_free (sheet);
+}
+
+/* Returns: how many names a plane of so many sites of a side of 300 px has. */
+static guint
+count_names (Family family, guint n_sites)
+{
+  g_autoptr (Fixture) fixture
+      = fixture_new (family, 1, n_sites, ORDER_FURTHEST);
+  Names *names = names_new ();
+  Drawing *drawing = drawing_new (names);
+  Picture picture;
+  Projection projection;
+  Scene scene = { .items = NULL };
+  Frame frame;
+  guint n;
+
+  frame_init (&frame, fixture->trace, fixture->trace->n_events);
+  picture_init (&picture, PICTURE_PLANE, &frame);
+  projection = plane_camera_projection (&picture.plane_camera, 300, 300);
+  scene_look_fit (&picture.look, &projection, 0);
+  scene_plane (&scene, &frame, &picture.look);
+  drawing_set (drawing, &scene, &projection, theme_get (THEME_DARK));
+  n = drawing->n_placed;
+  scene_clear (&scene);
+  drawing_free (drawing);
+  names_free (names);
+  frame_clear (&frame);
+  return n;
+}
+
+/* Names do not hide what they name. */
+static void
+test_names_need_room (void)
+{
+  g_assert_cmpuint (count_names (FAMILY_RANDOM, 12), ==, 12);
+  g_assert_cmpuint (count_names (FAMILY_RANDOM, 90), ==, 0);
+}
+
 /* The important are never left out, the others are where there is no room. */
 static void
 test_labels_are_left_out (void)
@@ -442,6 +498,9 @@ main (int argc, char **argv)
                    test_paper_has_no_clash);
   g_test_add_func ("/label/names-sit-on-no-mark-and-no-name", test_labels);
   g_test_add_func ("/label/names-keep-off-lines", test_labels_avoid_lines);
+  g_test_add_func ("/label/names-keep-off-the-width-of-heavy-lines",
+                   test_labels_avoid_heavy_lines);
+  g_test_add_func ("/label/a-crowd-has-no-names", test_names_need_room);
   g_test_add_func ("/label/only-the-unimportant-are-left-out",
                    test_labels_are_left_out);
   return g_test_run ();

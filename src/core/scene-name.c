@@ -48,7 +48,8 @@ name_facet (SceneBuilder *builder, uint32_t facet, bool lifted)
 void
 scene_add_step_name (SceneBuilder *builder, bool lifted)
 {
-  name_facet (builder, facet_of_step (builder), lifted);
+  if (!lifted || scene_has_layer (builder, LAYER_HULL))
+    name_facet (builder, facet_of_step (builder), lifted);
 }
 
 void

@@ -15,6 +15,7 @@
 #define INK_MARK 60
 #define INK_LABEL 255 /* counts as COST_LABEL */
 #define HEAVY_PX 2.2
+#define WIDE_PX 3.5 /* from here on ink lies in cells side by side */
 
 #define MANY_LABELS 24
 
@@ -112,10 +113,9 @@ narrow (double from, double by, double low, double high, int n, int range[2])
   range[1] = (int)CLAMP (last, -1, range[1]);
 }
 
-void
-label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px)
+static void
+add_stroke (LabelSheet *sheet, const Pixel ends[2], unsigned char ink)
 {
-  const unsigned char ink = width_px >= HEAVY_PX ? INK_HEAVY : INK_LINE;
   const double left = sheet->left * CELL, top = sheet->top * CELL;
   Pixel cut[2] = { ends[0], ends[1] };
   double dx, dy;
@@ -134,6 +134,25 @@ label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px)
   narrow (cut[0].y, dy, top, top + sheet->rows * CELL, n, range);
   for (i = range[0]; i <= range[1]; i++)
     spill (sheet, cut[0].x + dx * i / n, cut[0].y + dy * i / n, ink);
+}
+
+void
+label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px)
+{
+  const unsigned char ink = width_px >= HEAVY_PX ? INK_HEAVY : INK_LINE;
+  const double dx = ends[1].x - ends[0].x, dy = ends[1].y - ends[0].y;
+  const double length = hypot (dx, dy);
+  const double across[2] = { -width_px * dy / length, width_px * dx / length };
+  int n = width_px < WIDE_PX || length <= 0 ? 1 : (int)(width_px / CELL) + 1;
+
+  for (int i = 0; i < n; i++) {
+    const double part = n == 1 ? 0 : (double)i / (n - 1) - 0.5;
+    const Pixel side[2]
+        = { { ends[0].x + part * across[0], ends[0].y + part * across[1] },
+            { ends[1].x + part * across[0], ends[1].y + part * across[1] } };
+
+    add_stroke (sheet, n == 1 ? ends : side, ink);
+  }
 }
 
 void

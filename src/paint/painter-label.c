@@ -8,6 +8,9 @@
 #define PADDING 1.5
 #define CROWDED 0.75 /* where sites are drawn smaller, few have names */
 
+#define NAME_ROOM 2.6 /* from site to site, times the size of type */
+#define LARGE_TEXT_PX 18.0
+
 #define FEW 24 /* so many that are lit are all shown, whatever they cover */
 #define NEAR_SQUARE 24 /* side, px: ink is looked for in such squares */
 
@@ -118,12 +121,20 @@ add_ink (const Drawing *drawing, const Stroke *stroke, LabelSheet *sheet)
     label_sheet_line (sheet, &pixels[i], style->width);
 }
 
+/* A power is told in the colour of its gap, or it would seem to name what it
+ * is next to. */
+static Colour
+colour_of (const Theme *theme, Role role)
+{
+  return role == ROLE_SITE_APEX || role == ROLE_POWER ? theme->apex_text
+                                                      : theme->text;
+}
+
 /* A name on whole pixels is crisp, and can be painted from a mask. */
 static void
 add_name (Painter *painter, const Label *label, uint32_t name)
 {
   const Theme *theme = painter->theme;
-  const Role role = painter->scene->items[label->item].role;
   const double x = floor (label->low.x + PADDING + 0.5);
   const double y = floor (label->low.y + PADDING + 0.5);
   const NameSize size = names_size (painter->drawing->names, name);
@@ -131,7 +142,7 @@ add_name (Painter *painter, const Label *label, uint32_t name)
     .name = name,
     .item = label->item,
     .at = { x, y },
-    .colour = role == ROLE_SITE_APEX ? theme->apex_text : theme->text,
+    .colour = colour_of (theme, painter->scene->items[label->item].role),
     .box = { (float)(x - NAME_CASING), (float)(y - NAME_CASING),
              (float)(x + size.width + NAME_CASING),
              (float)(y + size.height + NAME_CASING) },
@@ -216,16 +227,30 @@ place_in_stock (Painter *painter, const Wanted *wanted)
   label_sheet_free (sheet);
 }
 
+/* Where sites are so near each other that names would be all that is seen,
+ * few have theirs. Who has them set large wants them. */
+static bool
+has_room_for_names (const Painter *painter)
+{
+  const double area = painter->projection->width * painter->projection->height;
+  const uint32_t n_sites = painter->scene->stock.n_sites;
+  const double room = sqrt (area / MAX (n_sites, 1));
+
+  return painter->drawing->size >= CROWDED
+         && room >= NAME_ROOM * MIN (painter->theme->text_px, LARGE_TEXT_PX);
+}
+
 void
 painter_add_names (Painter *painter)
 {
   const Scene *scene = painter->scene;
+  const bool has_room = has_room_for_names (painter);
   Wanted wanted;
   uint32_t i;
 
   wanted_init (&wanted);
   for (i = 0; i < scene->stock.n_items; i++)
-    if (painter->drawing->size >= CROWDED || is_important (&scene->items[i]))
+    if (has_room || is_important (&scene->items[i]))
       want (painter, &wanted, i);
   if (wanted.labels->len > 0)
     place_in_stock (painter, &wanted);

@@ -3,6 +3,8 @@
 
 #include <glib.h>
 
+#define SAMPLE_HATCH 0.7
+
 /* What a role is drawn as. */
 typedef enum Sample {
   SAMPLE_AREA,
@@ -27,7 +29,8 @@ sample_of (Role role)
   return SAMPLE_AREA;
 }
 
-/* A facet of the legend has a border in a darker shade of itself. */
+/* A facet of the legend has a border in a shade of itself that stands out, and
+ * its hatch is close enough to be seen to be one. */
 static void
 paint_area (cairo_t *cr,
             const Style *style,
@@ -38,15 +41,16 @@ paint_area (cairo_t *cr,
                              { size[0] - 1, 1 },
                              { size[0] - 1, size[1] - 1 },
                              { 1, size[1] - 1 } };
-  const Colour black = { 0, 0, 0, 1 };
+  Theme close = *theme;
   Style bordered = *style;
 
+  close.hatch_px *= SAMPLE_HATCH;
   bordered.width = 1.4;
   if (style->line.alpha <= 0) {
-    bordered.line = colour_mix (style->fill, black, 0.35);
+    bordered.line = colour_mix (style->fill, theme->text, 0.35);
     bordered.line.alpha = 1;
   }
-  brush_polygon (cr, &bordered, theme, corners, 4);
+  brush_polygon (cr, &bordered, &close, corners, 4);
 }
 
 static void

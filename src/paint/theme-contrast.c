@@ -6,15 +6,15 @@ static const Palette palette = { {
     [INK_TEXT] = 0xffffff,          [INK_SITE] = 0xffffff,
     [INK_APEX] = 0xff8cff,          [INK_HOVER] = 0xd0b8ff,
     [INK_VISIBLE] = 0xffb000,       [INK_VISIBLE_UPPER] = 0xffd27a,
-    [INK_CONE] = 0x00694c,          [INK_CONE_LINE] = 0x5cffc4,
+    [INK_CONE] = 0x008a63,          [INK_CONE_LINE] = 0x5cffc4,
     [INK_IN_HAND] = 0x7fd4ff,       [INK_HORIZON] = 0xffffff,
     [INK_DELAUNAY] = 0x7ab8ff,      [INK_VORONOI] = 0xd8d8d8,
-    [INK_CIRCLE] = 0x9ad0ff,        [INK_LOWER] = 0x114b80,
-    [INK_UPPER] = 0x0f4a1c,         [INK_VERTICAL] = 0x303030,
+    [INK_CIRCLE] = 0x9ad0ff,        [INK_LOWER] = 0x1a5c9c,
+    [INK_UPPER] = 0x125c22,         [INK_VERTICAL] = 0x303030,
     [INK_VERTICAL_LINE] = 0xe0e0e0, [INK_RIDGE] = 0xffffff,
     [INK_SHEET] = 0xffff00,         [INK_SHEET_LINE] = 0xe6d060,
-    [INK_LIFT] = 0xd8d8d8,          [INK_FOOT] = 0xe8e8e8,
-    [INK_GROUND] = 0xc8c8c8,        [INK_FURTHEST] = 0x8fe09a,
+    [INK_LIFT] = 0xd8d8d8,          [INK_GROUND] = 0xc8c8c8,
+    [INK_FURTHEST] = 0x8fe09a,
 } };
 
 void
@@ -28,6 +28,7 @@ theme_contrast (Theme *theme)
   theme->cell_chroma = 0.03;
   theme->styles[ROLE_LOWER].fill.alpha = 0.8;
   theme->styles[ROLE_UPPER].fill.alpha = 0.8;
+  theme->styles[ROLE_CONE].fill.alpha = 0.5;
   theme->styles[ROLE_UPPER].hatch = HATCH_LEVEL;
   theme->styles[ROLE_UPPER].line = theme_colour (0x8fe09a, 1);
   theme->styles[ROLE_SHEET].line.alpha = 0.6;

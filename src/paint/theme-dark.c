@@ -13,8 +13,8 @@ static const Palette palette = { {
     [INK_UPPER] = 0x2f6e3a,         [INK_VERTICAL] = 0x6a6872,
     [INK_VERTICAL_LINE] = 0xc4c2cc, [INK_RIDGE] = 0xbfe0f7,
     [INK_SHEET] = 0xe8b923,         [INK_SHEET_LINE] = 0xd0ac45,
-    [INK_LIFT] = 0xb0aeb9,          [INK_FOOT] = 0xc0bec8,
-    [INK_GROUND] = 0x96949e,        [INK_FURTHEST] = 0x7fd18a,
+    [INK_LIFT] = 0xb0aeb9,          [INK_GROUND] = 0x96949e,
+    [INK_FURTHEST] = 0x7fd18a,
 } };
 
 void

@@ -13,8 +13,8 @@ static const Palette palette = { {
     [INK_UPPER] = 0x3d8b40,         [INK_VERTICAL] = 0x9a9996,
     [INK_VERTICAL_LINE] = 0x5e5c64, [INK_RIDGE] = 0x1d3a5a,
     [INK_SHEET] = 0xe8b923,         [INK_SHEET_LINE] = 0x9c7a12,
-    [INK_LIFT] = 0x46454b,          [INK_FOOT] = 0x5e5c64,
-    [INK_GROUND] = 0x7a7981,        [INK_FURTHEST] = 0x2f7033,
+    [INK_LIFT] = 0x46454b,          [INK_GROUND] = 0x7a7981,
+    [INK_FURTHEST] = 0x2f7033,
 } };
 
 void

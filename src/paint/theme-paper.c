@@ -20,8 +20,8 @@ static const Palette palette = { {
     [INK_UPPER] = 0x00bb00,         [INK_VERTICAL] = 0xb4b4b4,
     [INK_VERTICAL_LINE] = 0x404040, [INK_RIDGE] = 0x001a33,
     [INK_SHEET] = 0xffff00,         [INK_SHEET_LINE] = 0x6e6500,
-    [INK_LIFT] = 0x222222,          [INK_FOOT] = 0x333333,
-    [INK_GROUND] = 0x666666,        [INK_FURTHEST] = 0x006000,
+    [INK_LIFT] = 0x222222,          [INK_GROUND] = 0x666666,
+    [INK_FURTHEST] = 0x006000,
 } };
 
 void

@@ -16,8 +16,8 @@ static const Palette palette = { {
     [INK_UPPER] = 0xffffff,         [INK_VERTICAL] = 0xffffff,
     [INK_VERTICAL_LINE] = 0x000000, [INK_RIDGE] = 0x000000,
     [INK_SHEET] = 0xffffff,         [INK_SHEET_LINE] = 0x000000,
-    [INK_LIFT] = 0x000000,          [INK_FOOT] = 0x000000,
-    [INK_GROUND] = 0x000000,        [INK_FURTHEST] = 0x000000,
+    [INK_LIFT] = 0x000000,          [INK_GROUND] = 0x000000,
+    [INK_FURTHEST] = 0x000000,
 } };
 
 /* A pen for each line that is not of the active set. */
@@ -92,6 +92,7 @@ set_lines (Theme *theme)
   for (i = 0; i < sizeof pens / sizeof *pens; i++)
     theme->styles[pens[i].role].width = pens[i].width;
   theme->styles[ROLE_SHEET].line.alpha = 1;
+  theme->styles[ROLE_SITE_IGNORED].radius = 2.6;
   theme->styles[ROLE_FOOT].radius = 2.2;
   theme->styles[ROLE_VORONOI_VERTEX].radius = 1.8;
   dash (theme, ROLE_SHEET, 1.5, 3);

@@ -31,7 +31,6 @@ typedef enum Ink {
   INK_SHEET,
   INK_SHEET_LINE,
   INK_LIFT,
-  INK_FOOT,
   INK_GROUND,
   INK_FURTHEST, /* furthest-site diagrams */
   N_INKS,

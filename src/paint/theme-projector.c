@@ -14,8 +14,8 @@ static const Palette palette = { {
     [INK_UPPER] = 0x2f7d33,         [INK_VERTICAL] = 0x9a9996,
     [INK_VERTICAL_LINE] = 0x3a3a3a, [INK_RIDGE] = 0x12324f,
     [INK_SHEET] = 0xe8b923,         [INK_SHEET_LINE] = 0x7a5f0c,
-    [INK_LIFT] = 0x444449,          [INK_FOOT] = 0x3a3a3f,
-    [INK_GROUND] = 0x5e5e66,        [INK_FURTHEST] = 0x1f5a22,
+    [INK_LIFT] = 0x444449,          [INK_GROUND] = 0x5e5e66,
+    [INK_FURTHEST] = 0x1f5a22,
 } };
 
 void

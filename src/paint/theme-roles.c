@@ -173,7 +173,7 @@ static const Row rows[N_ROLES] = {
       .style
       = { .width = 3.5, .casing = 1.8, .mark = MARK_HOLLOW, .radius = 10 } },
   [ROLE_FOOT]
-  = { .line = INK_FOOT, .style = { .mark = MARK_DOT, .radius = 2.8 } },
+  = { .line = INK_SITE, .style = { .mark = MARK_DOT, .radius = 2.8 } },
   [ROLE_FOOT_APEX]
   = { .line = INK_APEX,
       .style = { .casing = 1, .mark = MARK_DOT, .radius = 4.6 } },
