@@ -332,6 +332,7 @@ close_window (Hull2vdWindow *window, const char *path)
 {
   (void)path;
   window_layout_save (window);
+  window_space_save (window);
   progress_keeper_flush ();
   gtk_widget_destroy (GTK_WIDGET (window));
 }

@@ -141,6 +141,8 @@ void window_theme_dress (Hull2vdWindow *window);
 void window_space_init (Hull2vdWindow *window);
 void window_space_detach (Hull2vdWindow *window, gboolean detached);
 gboolean window_space_is_detached (Hull2vdWindow *window);
+/* Remembers the size of its window. */
+void window_space_save (Hull2vdWindow *window);
 
 /* window-blank.c: the screen is black, and so is every window that was added,
  * until a key, a click or a touch. */

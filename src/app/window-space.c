@@ -26,12 +26,21 @@ move_space (Hull2vdWindow *window, GtkContainer *to)
   g_object_unref (box);
 }
 
-static void
-save_size (Hull2vdWindow *window)
+static gboolean
+is_fullscreen (GtkWidget *widget)
+{
+  return (gdk_window_get_state (gtk_widget_get_window (widget))
+          & GDK_WINDOW_STATE_FULLSCREEN)
+         != 0;
+}
+
+void
+window_space_save (Hull2vdWindow *window)
 {
   int width, height;
 
-  if (window->settings == NULL)
+  if (window->settings == NULL || !window_space_is_detached (window)
+      || is_fullscreen (window->space_window))
     return;
   gtk_window_get_size (GTK_WINDOW (window->space_window), &width, &height);
   g_settings_set (window->settings, "space-window-size", "(ii)", width, height);
@@ -45,14 +54,6 @@ on_space_delete (GtkWidget *widget, GdkEvent *event, Hull2vdWindow *window)
   g_action_group_activate_action (G_ACTION_GROUP (window), "detach-space",
                                   NULL);
   return TRUE;
-}
-
-static gboolean
-is_fullscreen (GtkWidget *widget)
-{
-  return (gdk_window_get_state (gtk_widget_get_window (widget))
-          & GDK_WINDOW_STATE_FULLSCREEN)
-         != 0;
 }
 
 static void
@@ -153,7 +154,7 @@ attach (Hull2vdWindow *window)
 {
   GtkWidget *space = window->space_window;
 
-  save_size (window);
+  window_space_save (window);
   window->space_window = NULL;
   move_space (window, GTK_CONTAINER (window->view_paned));
   gtk_widget_destroy (space);
@@ -183,7 +184,6 @@ on_destroy (Hull2vdWindow *window, gpointer user)
   (void)user;
   if (window->space_window == NULL)
     return;
-  save_size (window);
   gtk_widget_destroy (window->space_window);
   window->space_window = NULL;
 }

@@ -223,6 +223,12 @@ class Program:
         for window in windows:
             xdotool("windowsize", window, width, height)
 
+    def resize_window(self, title, width, height):
+        window = subprocess.run(
+            ["xdotool", "search", "--name", title], check=True,
+            capture_output=True, text=True).stdout.split()[-1]
+        xdotool("windowsize", window, width, height)
+
     def click(self, x, y, button=1):
         xdotool("mousemove", x, y, "click", button)
 
