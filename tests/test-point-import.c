@@ -107,6 +107,10 @@ test_a_refused_text_changes_nothing (void)
   g_assert_false (point_import_text (session, "x y\n1 2\n1 z\n", "clipboard",
                                      "paste", &error));
   g_assert_true (g_str_has_prefix (error->message, "clipboard:3: "));
+  g_clear_error (&error);
+  g_assert_false (
+      point_import_text (session, " \n# -\n", "clipboard", "paste", &error));
+  g_assert_cmpstr (error->message, ==, "clipboard: there are no points in it");
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 2);
   g_assert_true (session_undo (session));
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 0);

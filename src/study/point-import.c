@@ -276,6 +276,13 @@ point_import_text (Session *session,
 {
   SiteSet *set = point_import_parse (text, strlen (text), origin, NULL, error);
 
-  return set != NULL
-         && put_set (session, set, session_replace_sites, edit, error);
+  if (set == NULL)
+    return FALSE;
+  /* Nobody means to delete all sites by that. */
+  if (set->n_sites == 0) {
+    site_set_free (set);
+    refuse (origin, 0, _ ("there are no points in it"), error);
+    return FALSE;
+  }
+  return put_set (session, set, session_replace_sites, edit, error);
 }

@@ -36,7 +36,7 @@ gboolean point_import_open (Session *session,
                             GError **error);
 
 /* Replaces the session's sites by points in text; @origin is for messages,
- * @edit says what it is for undo: "paste". */
+ * @edit says what it is for undo: "paste". Text without points is refused. */
 gboolean point_import_text (Session *session,
                             const char *text,
                             const char *origin,
