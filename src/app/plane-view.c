@@ -365,7 +365,35 @@ plane_view_key (Canvas *canvas, const GdkEventKey *event)
   }
 }
 
-/* Objects: the sites, then the triangles */
+/* Objects: the sites, the triangles, then those of the cone over them */
+
+static gboolean
+is_cone_triangle (const Frame *frame, guint index)
+{
+  const FrameFacet *facet = &frame->facets[index];
+
+  return (facet->roles & FACET_CONE) != 0
+         && frame->trace->facets[facet->facet].facing == FACING_LOWER;
+}
+
+static guint
+count_cone_triangles (const Frame *frame)
+{
+  guint n = 0;
+
+  for (guint i = 0; i < frame->n_facets; i++)
+    n += is_cone_triangle (frame, i);
+  return n;
+}
+
+static Object
+get_cone_triangle (const Frame *frame, guint index)
+{
+  for (guint i = 0; i < frame->n_facets; i++)
+    if (is_cone_triangle (frame, i) && index-- == 0)
+      return (Object){ OBJECT_FACET, frame->facets[i].facet };
+  return (Object){ OBJECT_NONE, 0 };
+}
 
 static guint
 plane_view_count_objects (Canvas *canvas)
@@ -377,7 +405,8 @@ plane_view_count_objects (Canvas *canvas)
     return answer_objects_count (canvas);
   return !session_pane_has_facets (session, canvas_get_pane (canvas))
              ? frame->n_sites
-             : frame->n_sites + frame->delaunay.n_triangles;
+             : frame->n_sites + frame->delaunay.n_triangles
+                   + count_cone_triangles (frame);
 }
 
 static Object
@@ -390,8 +419,10 @@ plane_view_get_object (Canvas *canvas, guint index)
 
   if (index < frame->n_sites)
     return (Object){ OBJECT_SITE, frame->sites[index].site };
-  return (Object){ OBJECT_FACET,
-                   frame->delaunay.triangles[index - frame->n_sites].facet };
+  index -= frame->n_sites;
+  if (index >= frame->delaunay.n_triangles)
+    return get_cone_triangle (frame, index - frame->delaunay.n_triangles);
+  return (Object){ OBJECT_FACET, frame->delaunay.triangles[index].facet };
 }
 
 /* Life */
