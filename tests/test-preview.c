@@ -240,6 +240,30 @@ test_taken (void)
   pair_free (pair);
 }
 
+/* A view may reach farther than sites can lie. */
+static void
+test_too_far (void)
+{
+  const Site places[] = {
+    { INFINITY, 1 }, { 0, -INFINITY }, { NAN, 0 },
+    { 1e300, 0.5 },  { 0.5, 1e-300 },
+  };
+  g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
+  const Box box = { { -1, -1 }, { 1, 1 } };
+  Frame frame;
+
+  frame_init (&frame, fixture->trace, fixture->trace->n_events);
+  for (size_t i = 0; i < G_N_ELEMENTS (places); i++) {
+    Preview preview;
+
+    preview_init (&preview, fixture->set, places[i], &frame.voronoi, places[i],
+                  &box);
+    g_assert_cmpuint (preview.n_neighbours + preview.n_cell, ==, 0);
+    preview_clear (&preview);
+  }
+  frame_clear (&frame);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -248,5 +272,7 @@ main (int argc, char **argv)
   g_test_add_func ("/preview/with-ties-its-cell-is-that-of-the-insertion",
                    test_ties);
   g_test_add_func ("/preview/where-a-site-is-nothing-changes", test_taken);
+  g_test_add_func ("/preview/where-no-site-can-be-nothing-changes",
+                   test_too_far);
   return g_test_run ();
 }

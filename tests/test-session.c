@@ -226,6 +226,8 @@ test_coordinates_out_of_range_change_nothing (void)
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
   g_assert_cmpstr (session_get_undo_label (session), ==,
                    "Undo replacement of all sites");
+  session_set_preview (session, &(const Site){ 0x1p400, 1 });
+  g_assert_false (session_get_look (session)->has_preview);
 }
 
 static void

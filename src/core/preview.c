@@ -142,7 +142,7 @@ preview_init (Preview *preview,
   uint32_t i;
 
   memset (preview, 0, sizeof *preview);
-  if (is_taken (&maker))
+  if (!site_is_in_range (&at) || is_taken (&maker))
     return;
   maker.is_neighbour = memory_new (set->n_sites, sizeof *maker.is_neighbour);
   find_dying (&maker);

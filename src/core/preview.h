@@ -29,7 +29,7 @@ typedef struct Preview {
 
 /* The site would be at @at, in the units of @set: signs are exact. Cell and
  * pieces are in the units of @voronoi, where it is at @drawn_at, clipped to
- * @box. All is empty when a site is there already.
+ * @box. All is empty when a site is there already, or none can be.
  *
  * Cost: O(n) signs, and the cells of the neighbours.
  */

@@ -43,6 +43,19 @@ site_range_add (SiteRange *range, const Site *site)
   return range_fits (range);
 }
 
+static bool
+is_in_range (double coordinate)
+{
+  return coordinate == 0
+         || (isfinite (coordinate) && abs (ilogb (coordinate)) <= SITE_RANGE);
+}
+
+bool
+site_is_in_range (const Site *site)
+{
+  return is_in_range (site->x) && is_in_range (site->y);
+}
+
 /* Returns: the power of two nearest to 0 that, taken out of all coordinates,
  *          brings them into the range. */
 static int

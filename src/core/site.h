@@ -34,6 +34,9 @@ typedef struct SiteSet {
  */
 #define SITE_RANGE 145
 
+/* Whether @site, in the units of SiteSet.sites, lies in the range. */
+bool site_is_in_range (const Site *site);
+
 /* A square around the sites: all that views need to know to fill themselves,
  * whatever the scale and the offset. */
 typedef struct Extent {

@@ -99,7 +99,8 @@ session_set_preview (Session *session, const Site *preview)
 {
   SceneLook *look = &session->look;
   const Site none = { 0, 0 };
-  const gboolean has_preview = preview != NULL;
+  /* A view may reach farther than sites can lie. */
+  const gboolean has_preview = preview != NULL && site_is_in_range (preview);
 
   if (!has_preview)
     preview = &none;
