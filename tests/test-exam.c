@@ -363,7 +363,7 @@ test_own_sites_outlast_a_performance_on_them (void)
   perform_all (session);
   session_set_stop (session, 2);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
-  undo (session, "return to the lesson's sites");
+  undo (session, "return to the lesson’s sites");
   assert_own (session);
   undo (session, "addition of s8");
   g_assert_null (session_get_undo_label (session));
@@ -378,7 +378,7 @@ test_own_sites_outlast_leaving_a_performance (void)
   answer (session);
   act (session, "end-performance", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
-  undo (session, "return to the lesson's sites");
+  undo (session, "return to the lesson’s sites");
   assert_own (session);
 }
 
@@ -412,7 +412,7 @@ test_own_sites_outlast_the_performance_of_the_stop (void)
 
   act (session, "grade", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
-  undo (session, "return to the lesson's sites");
+  undo (session, "return to the lesson’s sites");
   assert_own (session);
   act (session, "another", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 7);

@@ -187,7 +187,7 @@ def the_key_is_what_the_lesson_says():
     key = text_of(write(INSIDE, "--key"))
     for words in ("Answer: s4, s5, s6, s7", "facets of the cone 4",
                   "triangles that die 4 triangles that are born 6",
-                  "s5 sees f4: it lies inside f4's circle, by a power of −"):
+                  "s5 sees f4: it lies inside f4’s circle, by a power of −"):
         check(words in key, f"no “{words}”")
 
 

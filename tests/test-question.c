@@ -177,17 +177,17 @@ test_reasons_are_in_the_words_of_the_mathematics (void)
     { LECTURE8,
       "before round 1 see\nclick visible-facets",
       { OBJECT_FACET, 2 },
-      "s4 does not see f2, an upper facet: it lies inside f2's circle, by a "
+      "s4 does not see f2, an upper facet: it lies inside f2’s circle, by a "
       "power of −" },
     { VERTICAL5,
       "before round 1 see\nclick visible-facets",
       { OBJECT_FACET, 0 },
-      "s4 does not see f0, an upper facet: it lies inside f0's circle, by a "
+      "s4 does not see f0, an upper facet: it lies inside f0’s circle, by a "
       "power of −0.0032." },
     { LECTURE8,
       "before round 2 see\nclick visible-facets",
       { OBJECT_FACET, 7 },
-      "s5 does not see f7: it lies outside f7's circle, by a power of " },
+      "s5 does not see f7: it lies outside f7’s circle, by a power of " },
     { LECTURE8,
       "simplex\nclick outside-set f0",
       { OBJECT_SITE, 0 },
@@ -238,7 +238,7 @@ test_the_power_is_that_of_the_circle (void)
         != 0 + 1 + 2)
       continue;
     verdict = grade (&asked, &object, 1);
-    reason = g_strdup_printf ("s4 does not see f%u: it lies outside f%u's "
+    reason = g_strdup_printf ("s4 does not see f%u: it lies outside f%u’s "
                               "circle, by a power of 3.",
                               facet, facet);
     if (facets[facet].facing == FACING_LOWER)

@@ -263,7 +263,7 @@ test_edits_leave_the_lesson_and_return (void)
   g_assert_true (session_get_stop_step (session, 2, &step));
   g_assert_cmpuint (step, ==, session_get_step (session));
   g_assert_cmpstr (session_get_undo_label (session), ==,
-                   "Undo return to the lesson's sites");
+                   "Undo return to the lesson’s sites");
 
   g_assert_true (session_undo (session));
   g_assert_cmpfloat (site_set_given (session_get_set (session), 4).x, ==, 0.25);

@@ -52,12 +52,12 @@ lower_sentence (int side, guint site, guint facet, const char *power)
 {
   if (side == 0)
     return g_strdup_printf (
-        _ ("s%u does not see f%u: it lies exactly on f%u's circle."), site,
+        _ ("s%u does not see f%u: it lies exactly on f%u’s circle."), site,
         facet, facet);
   return g_strdup_printf (
-      side > 0 ? _ ("s%u sees f%u: it lies inside f%u's circle, by a power of "
+      side > 0 ? _ ("s%u sees f%u: it lies inside f%u’s circle, by a power of "
                     "−%s.")
-               : _ ("s%u does not see f%u: it lies outside f%u's circle, by a "
+               : _ ("s%u does not see f%u: it lies outside f%u’s circle, by a "
                     "power of %s."),
       site, facet, facet, power);
 }
@@ -67,14 +67,14 @@ upper_sentence (int side, guint site, guint facet, const char *power)
 {
   if (side == 0)
     return g_strdup_printf (
-        _ ("s%u does not see f%u, an upper facet: it lies exactly on f%u's "
+        _ ("s%u does not see f%u, an upper facet: it lies exactly on f%u’s "
            "circle."),
         site, facet, facet);
   return g_strdup_printf (
-      side > 0 ? _ ("s%u sees f%u, an upper facet: it lies outside f%u's "
+      side > 0 ? _ ("s%u sees f%u, an upper facet: it lies outside f%u’s "
                     "circle, by a power of %s.")
                : _ ("s%u does not see f%u, an upper facet: it lies inside "
-                    "f%u's circle, by a power of −%s."),
+                    "f%u’s circle, by a power of −%s."),
       site, facet, facet, power);
 }
 

@@ -255,7 +255,7 @@ session_set_stop (Session *session, guint stop)
   session_hold (session);
   enter_state (session, session_state_of (session, session->stop),
                session_state_of (session, stop),
-               _ ("return to the lesson's sites"));
+               _ ("return to the lesson’s sites"));
   session->stop = stop;
   g_clear_pointer (&session->another, exercise_free);
   session_question_refresh (session);

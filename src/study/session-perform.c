@@ -72,7 +72,7 @@ session_show_task (Session *session)
 
   put_task (session);
   session_remember_own_sites (session, &kept,
-                              _ ("return to the lesson's sites"));
+                              _ ("return to the lesson’s sites"));
 }
 
 /* Ends the question when its last task is done. */
