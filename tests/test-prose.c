@@ -22,7 +22,8 @@ static const Row rows[] = {
   { "<span size='huge'>x", "x", "x" },
   { "`<b>` &lt;i&gt;", "<tt>&lt;b&gt;</tt> &lt;i&gt;", "<b> <i>" },
   { "    a < b\n    c\n", "<tt>a &lt; b\nc</tt>", "a < b\nc" },
-  { "f1's `'a'` \"b\"...", "f1’s <tt>'a'</tt> “b”…", "f1’s 'a' “b”…" },
+  { "f1's `'a'` \"b\"...", "f1’s <tt>&apos;a&apos;</tt> “b”…",
+    "f1’s 'a' “b”…" },
   { "> quoted\n>\n> words", "quoted\n\nwords", "quoted\n\nwords" },
 };
 

@@ -186,10 +186,8 @@ show_closed_buttons (QuestionCard *card)
   const gboolean is_over
       = is_closed && (performance == NULL || performance->is_over);
 
-  gtk_widget_set_visible (
-      card->go_on,
-      is_closed
-          && (performance == NULL || session_can_continue (card->session)));
+  gtk_widget_set_visible (card->go_on,
+                          is_closed && session_can_continue (card->session));
   gtk_widget_set_visible (card->retry, is_over);
   gtk_widget_set_visible (card->another,
                           is_over && session_can_another (card->session));
@@ -215,6 +213,9 @@ show_buttons (QuestionCard *card)
   gtk_widget_set_visible (
       card->leave, !is_open && session_can_end_performance (card->session)
                        && !session_can_grade (card->session));
+  gtk_widget_set_visible (gtk_widget_get_parent (card->check),
+                          is_open || gtk_widget_get_visible (card->go_on)
+                              || gtk_widget_get_visible (card->another));
   gtk_widget_set_visible (card->buttons,
                           is_open || gtk_widget_get_visible (card->retry)
                               || gtk_widget_get_visible (card->leave));

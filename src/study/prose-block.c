@@ -88,8 +88,8 @@ GPtrArray *
 prose_to_blocks (const char *commonmark)
 {
   GPtrArray *blocks = g_ptr_array_new_with_free_func (block_free);
-  cmark_node *document = cmark_parse_document (commonmark, strlen (commonmark),
-                                               CMARK_OPT_SMART);
+  cmark_node *document
+      = cmark_parse_document (commonmark, strlen (commonmark), CMARK_OPT_SMART);
   cmark_iter *iter = cmark_iter_new (document);
   cmark_event_type event;
 

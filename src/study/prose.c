@@ -188,8 +188,8 @@ write_tree (cmark_node *tree, gboolean has_markup)
 static char *
 convert (const char *commonmark, gboolean has_markup)
 {
-  cmark_node *document = cmark_parse_document (commonmark, strlen (commonmark),
-                                               CMARK_OPT_DEFAULT);
+  cmark_node *document
+      = cmark_parse_document (commonmark, strlen (commonmark), CMARK_OPT_SMART);
   char *text = write_tree (document, has_markup);
 
   cmark_node_free (document);
