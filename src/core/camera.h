@@ -143,10 +143,20 @@ camera_pan (Camera *camera, const double by_px[2], const double size_px[2]);
  *          eye: clip.h leaves those out. */
 Point3 projection_apply (const Projection *projection, Point3 point);
 
-/* Homogeneous clip coordinates x, y, z, w; w > 0 before the eye. */
-void projection_clip_coordinates (const Projection *projection,
-                                  Point3 point,
-                                  double clip[4]);
+/* Homogeneous clip coordinates x, y, z, w; w > 0 before the eye. Here, because
+ * every point that is shown goes through it. */
+static inline void
+projection_clip_coordinates (const Projection *projection,
+                             Point3 point,
+                             double clip[4])
+{
+  const double *m = projection->matrix;
+  int row;
+
+  for (row = 0; row < 4; row++)
+    clip[row] = m[row] * point.x + m[row + 4] * point.y + m[row + 8] * point.z
+                + m[row + 12];
+}
 
 /* Returns: the point of the plane z = 0 under a pixel. Plane view only. */
 Point3 projection_unapply (const Projection *projection, double x, double y);

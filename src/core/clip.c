@@ -77,6 +77,13 @@ narrow (double t[2], double from, double along, double limit)
   return t[0] <= t[1];
 }
 
+static bool
+is_within (Pixel low, Pixel high, Pixel pixel)
+{
+  return pixel.x >= low.x && pixel.x <= high.x && pixel.y >= low.y
+         && pixel.y <= high.y;
+}
+
 bool
 clip_to_rectangle (Pixel low, Pixel high, Pixel ends[2])
 {
@@ -84,6 +91,9 @@ clip_to_rectangle (Pixel low, Pixel high, Pixel ends[2])
   const Pixel along = { ends[1].x - from.x, ends[1].y - from.y };
   double t[2] = { 0, 1 };
 
+  /* Most of what is drawn is in the view. */
+  if (is_within (low, high, ends[0]) && is_within (low, high, ends[1]))
+    return true;
   if (!narrow (t, from.x, along.x, high.x)
       || !narrow (t, -from.x, -along.x, -low.x)
       || !narrow (t, from.y, along.y, high.y)
@@ -179,6 +189,17 @@ cut (const Side *side, Pixel *corners, uint32_t n)
   return n_kept;
 }
 
+static bool
+are_within (Pixel low, Pixel high, const Pixel *corners, uint32_t n)
+{
+  uint32_t i;
+
+  for (i = 0; i < n; i++)
+    if (!is_within (low, high, corners[i]))
+      return false;
+  return true;
+}
+
 uint32_t
 clip_polygon_to_rectangle (Pixel low, Pixel high, Pixel *corners, uint32_t n)
 {
@@ -190,7 +211,7 @@ clip_polygon_to_rectangle (Pixel low, Pixel high, Pixel *corners, uint32_t n)
   };
   int i;
 
-  for (i = 0; i < 4 && n > 0; i++)
+  for (i = 0; i < 4 && n > 0 && !are_within (low, high, corners, n); i++)
     n = cut (&sides[i], corners, n);
   return n < 3 ? 0 : n;
 }

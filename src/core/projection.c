@@ -15,19 +15,6 @@ projection_equal (const Projection *a, const Projection *b)
          && a->height == b->height;
 }
 
-void
-projection_clip_coordinates (const Projection *projection,
-                             Point3 point,
-                             double clip[4])
-{
-  const double *m = projection->matrix;
-  int row;
-
-  for (row = 0; row < 4; row++)
-    clip[row] = m[row] * point.x + m[row + 4] * point.y + m[row + 8] * point.z
-                + m[row + 12];
-}
-
 Point3
 projection_apply (const Projection *projection, Point3 point)
 {

@@ -1,6 +1,9 @@
 /* The order of paint: one rule for painters and picker, so that what is picked
  * is what is seen. */
+#include "memory.h"
 #include "scene.h"
+
+#include <stdlib.h>
 
 /* Half the normal vector that the sum over all corners gives is right for any
  * planar polygon.
@@ -9,12 +12,10 @@
 static Point3
 normal_of (const Point3 *points, uint32_t n)
 {
+  const Point3 *a = &points[n - 1], *b = points;
   Point3 normal = { 0, 0, 0 };
-  uint32_t i;
 
-  for (i = 0; i < n; i++) {
-    const Point3 *a = &points[i], *b = &points[(i + 1) % n];
-
+  for (; b < points + n; a = b++) {
     normal.x += (a->y - b->y) * (a->z + b->z);
     normal.y += (a->z - b->z) * (a->x + b->x);
     normal.z += (a->x - b->x) * (a->y + b->y);
@@ -39,6 +40,32 @@ scene_faces_eye (const Scene *scene,
   return normal.x * to_eye.x + normal.y * to_eye.y + normal.z * to_eye.z > 0;
 }
 
+/* Who looks at a scene. */
+typedef struct Onlooker {
+  const Scene *scene;
+  const Projection *projection;
+  /* Of each item: 0, or which way it faces, once that has been asked. A facet
+   * is asked by its ridges too. NULL: nothing is kept. */
+  unsigned char *facings;
+} Onlooker;
+
+enum { FACING_AWAY = 1, FACING_EYE };
+
+static bool
+faces_eye (const Onlooker *onlooker, const SceneItem *item)
+{
+  const Scene *scene = onlooker->scene;
+  unsigned char *facing;
+
+  if (onlooker->facings == NULL)
+    return scene_faces_eye (scene, item, onlooker->projection);
+  facing = &onlooker->facings[item - scene->items];
+  if (*facing == 0)
+    *facing = scene_faces_eye (scene, item, onlooker->projection) ? FACING_EYE
+                                                                  : FACING_AWAY;
+  return *facing == FACING_EYE;
+}
+
 static bool
 is_cone (const SceneItem *item)
 {
@@ -48,21 +75,19 @@ is_cone (const SceneItem *item)
 /* Lines of the hull lie with the facets beside them: in front when one of the
  * two is. */
 static SceneDepth
-hull_depth (const Scene *scene,
-            const SceneItem *item,
-            const Projection *projection)
+hull_depth (const Onlooker *onlooker, const SceneItem *item)
 {
   bool is_near = false, is_new = is_cone (item);
   int i;
 
   if (item->shape == SHAPE_POLYGON)
-    is_near = item->is_two_sided || scene_faces_eye (scene, item, projection);
+    is_near = item->is_two_sided || faces_eye (onlooker, item);
   else if (item->beside[0] == INDEX_NONE)
     return DEPTH_HULL_NEAR;
   for (i = 0; i < 2 && item->beside[i] != INDEX_NONE; i++) {
-    const SceneItem *facet = &scene->items[item->beside[i]];
+    const SceneItem *facet = &onlooker->scene->items[item->beside[i]];
 
-    is_near = is_near || scene_faces_eye (scene, facet, projection);
+    is_near = is_near || faces_eye (onlooker, facet);
     is_new = is_new || is_cone (facet);
   }
   if (is_near)
@@ -72,36 +97,31 @@ hull_depth (const Scene *scene,
 
 /* Planes, and lines where two of them meet. */
 static SceneDepth
-outer_depth (const Scene *scene,
-             const SceneItem *item,
-             const Projection *projection)
+outer_depth (const Onlooker *onlooker, const SceneItem *item)
 {
-  bool is_near = item->shape == SHAPE_POLYGON
-                 && scene_faces_eye (scene, item, projection);
+  bool is_near = item->shape == SHAPE_POLYGON && faces_eye (onlooker, item);
   int i;
 
   for (i = 0; i < 2 && item->beside[i] != INDEX_NONE; i++)
     is_near = is_near
-              || scene_faces_eye (scene, &scene->items[item->beside[i]],
-                                  projection);
+              || faces_eye (onlooker, &onlooker->scene->items[item->beside[i]]);
   return is_near ? DEPTH_OUTER_NEAR : DEPTH_OUTER_FAR;
 }
 
-SceneDepth
-scene_depth (const Scene *scene,
-             const SceneItem *item,
-             const Projection *projection)
+static SceneDepth
+depth_of (const Onlooker *onlooker, const SceneItem *item)
 {
   switch (item->pass) {
   case PASS_GROUND:
-    return scene->is_space && projection->eye.z < 0 ? DEPTH_UNDER
-                                                    : DEPTH_GROUND;
+    return onlooker->scene->is_space && onlooker->projection->eye.z < 0
+               ? DEPTH_UNDER
+               : DEPTH_GROUND;
   case PASS_OUTER:
-    return outer_depth (scene, item, projection);
+    return outer_depth (onlooker, item);
   case PASS_SHEET_FAR:
     return DEPTH_SHEET_FAR;
   case PASS_HULL:
-    return hull_depth (scene, item, projection);
+    return hull_depth (onlooker, item);
   case PASS_SHEET_NEAR:
     return DEPTH_SHEET_NEAR;
   case PASS_LINES:
@@ -110,4 +130,29 @@ scene_depth (const Scene *scene,
     return DEPTH_MARKS;
   }
   return DEPTH_LINES;
+}
+
+SceneDepth
+scene_depth (const Scene *scene,
+             const SceneItem *item,
+             const Projection *projection)
+{
+  const Onlooker onlooker = { scene, projection, NULL };
+
+  return depth_of (&onlooker, item);
+}
+
+void
+scene_stock_depths (const Scene *scene,
+                    const Projection *projection,
+                    unsigned char *depths)
+{
+  const uint32_t n = scene->stock.n_items;
+  const Onlooker onlooker
+      = { scene, projection, memory_new (n, sizeof *onlooker.facings) };
+  uint32_t i;
+
+  for (i = 0; i < n; i++)
+    depths[i] = (unsigned char)depth_of (&onlooker, &scene->items[i]);
+  free (onlooker.facings);
 }

@@ -347,6 +347,12 @@ SceneDepth scene_depth (const Scene *scene,
                         const SceneItem *item,
                         const Projection *projection);
 
+/* The depths of all items of the stock, a byte each: each facet is looked at
+ * once, not for each of its ridges too. */
+void scene_stock_depths (const Scene *scene,
+                         const Projection *projection,
+                         unsigned char *depths);
+
 /* Returns: whether the planar polygon @item faces the eye. */
 bool scene_faces_eye (const Scene *scene,
                       const SceneItem *item,

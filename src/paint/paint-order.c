@@ -6,12 +6,29 @@
 
 /* Marks of what is hidden come before those of all that is not. */
 static uint32_t
-layer_of (const Painter *painter, const SceneItem *item)
+layer_of (const Painter *painter, const SceneItem *item, uint32_t depth)
 {
-  if (item->shape == SHAPE_MARK && painter_hides (painter, item))
-    return 2 * DEPTH_LINES + 1;
-  return 2 * (uint32_t)scene_depth (painter->scene, item, painter->projection)
-         + (item->shape == SHAPE_MARK);
+  if (item->shape != SHAPE_MARK)
+    return 2 * depth;
+  return 2 * (painter_hides (painter, item) ? DEPTH_LINES : depth) + 1;
+}
+
+static void
+find_depths (const Painter *painter,
+             const uint32_t *items,
+             uint32_t n,
+             unsigned char *depths)
+{
+  const Scene *scene = painter->scene;
+  uint32_t i;
+
+  if (items == NULL && n > 0) {
+    scene_stock_depths (scene, painter->projection, depths);
+    return;
+  }
+  for (i = 0; i < n; i++)
+    depths[i] = (unsigned char)scene_depth (scene, &scene->items[items[i]],
+                                            painter->projection);
 }
 
 static void
@@ -37,10 +54,12 @@ paint_order_init (PaintOrder *order,
   uint32_t i;
 
   *order = (PaintOrder){ .items = g_new (uint32_t, MAX (n, 1)) };
+  find_depths (painter, items, n, layers);
   for (i = 0; i < n; i++) {
     const uint32_t item = items == NULL ? i : items[i];
 
-    layers[i] = (unsigned char)layer_of (painter, &painter->scene->items[item]);
+    layers[i] = (unsigned char)layer_of (painter, &painter->scene->items[item],
+                                         layers[i]);
     order->starts[layers[i]] += 1;
   }
   sum_up (order);
