@@ -5,6 +5,10 @@
 #include "gl-painter.h"
 #include "look-case.h"
 
+#include <math.h>
+
+#define SQUARE 20 /* px: pictures are compared in such squares from afar */
+
 /* A scene on its way through GL. */
 typedef struct Gl {
   GlPainter *painter;
@@ -175,6 +179,125 @@ test_scale (void)
   gl_clear (&gl);
 }
 
+/* Mean of a channel in one square of a picture. */
+static double
+mean_in_square (cairo_surface_t *surface, const int square[2], int k)
+{
+  const unsigned char *data = cairo_image_surface_get_data (surface);
+  const int stride = cairo_image_surface_get_stride (surface);
+  double sum = 0;
+
+  for (int y = SQUARE * square[1]; y < SQUARE * (square[1] + 1); y++)
+    for (int x = SQUARE * square[0]; x < SQUARE * (square[0] + 1); x++)
+      sum += data[y * stride + 4 * x + k];
+  return sum / (SQUARE * SQUARE);
+}
+
+/* How far two pictures are apart in the worst of all squares, and on the
+ * average. */
+static void
+compare_squares (cairo_surface_t *a,
+                 cairo_surface_t *b,
+                 double *worst,
+                 double *mean)
+{
+  const int n = LOOK_SIDE / SQUARE;
+
+  *worst = *mean = 0;
+  for (int i = 0; i < n * n; i++)
+    for (int k = 0; k < 3; k++) {
+      const int square[2] = { i % n, i / n };
+      const double off = fabs (mean_in_square (a, square, k)
+                               - mean_in_square (b, square, k));
+
+      *worst = MAX (*worst, off);
+      *mean += off / (3 * n * n);
+    }
+}
+
+/* Many sites in space. */
+static void
+crowd_init (LookScene *look, guint n_sites)
+{
+  SceneLook all;
+  Camera camera;
+
+  *look = (LookScene){ .theme = theme_get (THEME_LIGHT) };
+  look->fixture = fixture_new (FAMILY_RANDOM, 5, n_sites, ORDER_FURTHEST);
+  frame_init (&look->frame, look->fixture->trace,
+              look->fixture->trace->n_events);
+  scene_look_init (&all, &look->frame);
+  camera_init (&camera, CAMERA_HOME);
+  look->projection = camera_projection (&camera, LOOK_SIDE, LOOK_SIDE);
+  scene_space (&look->scene, &look->frame, &all);
+}
+
+static cairo_surface_t *
+paint_sketch (Gl *gl, const LookScene *look)
+{
+  const GlTarget target
+      = { .framebuffer = egl_framebuffer_new (LOOK_SIDE, LOOK_SIDE),
+          .scale = 1,
+          .is_rough = TRUE };
+  g_autoptr (GError) error = NULL;
+  cairo_surface_t *surface;
+
+  drawing_set_sketch (gl->drawing, &look->scene, &look->projection,
+                      look->theme);
+  gl_painter_paint (gl->painter, gl->drawing, &target, &error);
+  g_assert_no_error (error);
+  surface = egl_read (target.framebuffer, LOOK_SIDE, LOOK_SIDE);
+  egl_framebuffer_free (target.framebuffer);
+  return surface;
+}
+
+/* A sketch has other edges, and lacks the lines behind the hull: seen from
+ * afar it is the same picture. */
+static void
+test_sketch (void)
+{
+  cairo_surface_t *out, *ref;
+  double worst, mean;
+  guint n_strokes;
+  LookScene look;
+  Gl gl;
+
+  gl_init (&gl, FALSE);
+  crowd_init (&look, 1200);
+  ref = gl_paint (&gl, &look, look.theme, fine);
+  n_strokes = gl.drawing->n_strokes;
+  out = paint_sketch (&gl, &look);
+  g_assert_true (gl.drawing->is_sketch);
+  g_assert_cmpuint (gl.drawing->n_strokes, <, n_strokes);
+  compare_squares (out, ref, &worst, &mean);
+  g_test_message ("a sketch: off by %.2f, in a square by %.2f", mean, worst);
+  g_assert_cmpfloat (mean, <, 2);
+  g_assert_cmpfloat (worst, <, 18);
+  cairo_surface_destroy (out);
+  cairo_surface_destroy (ref);
+  look_scene_clear (&look);
+  gl_clear (&gl);
+}
+
+/* With few sites each line is looked at. */
+static void
+test_small_sketch (void)
+{
+  LookScene look;
+  guint n_strokes;
+  Gl gl;
+
+  gl_init (&gl, FALSE);
+  crowd_init (&look, 40);
+  drawing_set (gl.drawing, &look.scene, &look.projection, look.theme);
+  n_strokes = gl.drawing->n_strokes;
+  drawing_set_sketch (gl.drawing, &look.scene, &look.projection, look.theme);
+  g_assert_false (gl.drawing->is_sketch);
+  g_assert_cmpuint (gl.drawing->n_strokes, ==, n_strokes);
+  look_scene_clear (&look);
+  gl_clear (&gl);
+}
+
 /* A framebuffer that does not exist is an error, not a blank picture. */
 static void
 test_failure (void)
@@ -201,6 +324,8 @@ main (int argc, char **argv)
   g_test_add_func ("/gl/the-same-with-opengl-es", test_es);
   g_test_add_func ("/gl/every-theme-looks-as-in-cairo", test_themes);
   g_test_add_func ("/gl/what-moves-is-the-same-picture", test_rough);
+  g_test_add_func ("/gl/a-sketch-is-the-same-from-afar", test_sketch);
+  g_test_add_func ("/gl/little-is-never-sketched", test_small_sketch);
   g_test_add_func ("/gl/fine-screens-show-the-same-picture", test_scale);
   g_test_add_func ("/gl/a-picture-that-fails-is-an-error", test_failure);
   return g_test_run ();

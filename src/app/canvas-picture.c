@@ -12,7 +12,7 @@ struct PictureWork {
   Easel *easel;
   Names *names; /* for OpenGL */
   Drawing *drawing;
-  gboolean is_for_gl;
+  gboolean is_for_gl, is_rough;
   Projection projection;
   Theme theme;
   int scale;
@@ -187,15 +187,12 @@ choose (CanvasPicture *picture, GError **error)
 }
 
 static gboolean
-show_gl (CanvasPicture *picture,
-         const Drawing *drawing,
-         gboolean is_moving,
-         GError **error)
+show_gl (CanvasPicture *picture, const PictureWork *work, GError **error)
 {
   const gint64 start = g_get_monotonic_time ();
 
-  picture->is_rough = is_moving && picture->cost_us > SLOW_US;
-  if (!gl_view_paint (picture->gl, drawing, picture->is_rough, error)) {
+  picture->is_rough = work->is_rough;
+  if (!gl_view_paint (picture->gl, work->drawing, work->is_rough, error)) {
     g_clear_pointer (&picture->gl, gl_view_free);
     picture->may_use_gl = FALSE;
     return FALSE;
@@ -209,6 +206,7 @@ PictureWork *
 canvas_picture_lend (CanvasPicture *picture,
                      const Projection *projection,
                      const Theme *theme,
+                     gboolean is_moving,
                      GError **error)
 {
   PictureWork *work;
@@ -217,6 +215,7 @@ canvas_picture_lend (CanvasPicture *picture,
   get_tools (picture);
   work = g_steal_pointer (&picture->tools);
   work->is_for_gl = picture->gl != NULL;
+  work->is_rough = work->is_for_gl && is_moving && picture->cost_us > SLOW_US;
   work->projection = *projection;
   work->theme = *theme;
   work->scale = gtk_widget_get_scale_factor (picture->widget);
@@ -226,6 +225,10 @@ canvas_picture_lend (CanvasPicture *picture,
 void
 picture_work_do (PictureWork *work, const Scene *scene)
 {
+  if (work->is_rough) {
+    drawing_set_sketch (work->drawing, scene, &work->projection, &work->theme);
+    return;
+  }
   if (work->is_for_gl) {
     drawing_set (work->drawing, scene, &work->projection, &work->theme);
     return;
@@ -245,7 +248,6 @@ gboolean
 canvas_picture_take_back (CanvasPicture *picture,
                           PictureWork *work,
                           gboolean is_up_to_date,
-                          gboolean is_moving,
                           GError **error)
 {
   gboolean is_shown = TRUE;
@@ -257,7 +259,7 @@ canvas_picture_take_back (CanvasPicture *picture,
                   && gtk_widget_get_realized (picture->widget);
   if (gtk_widget_get_realized (picture->widget)) {
     if (picture->gl != NULL && work->is_for_gl)
-      is_shown = show_gl (picture, work->drawing, is_moving, error);
+      is_shown = show_gl (picture, work, error);
     else if (picture->gl == NULL && !work->is_for_gl)
       show_easel (picture, work);
   }
@@ -294,14 +296,14 @@ canvas_picture_update (CanvasPicture *picture,
 
   if (picture->is_valid)
     return TRUE;
-  work = canvas_picture_lend (picture, projection, theme, error);
+  work = canvas_picture_lend (picture, projection, theme, is_moving, error);
   is_as_wished = error == NULL || *error == NULL;
   picture_work_do (work, scene);
-  if (!canvas_picture_take_back (picture, work, TRUE, is_moving, error)) {
+  if (!canvas_picture_take_back (picture, work, TRUE, error)) {
     is_as_wished = FALSE;
-    work = canvas_picture_lend (picture, projection, theme, NULL);
+    work = canvas_picture_lend (picture, projection, theme, is_moving, NULL);
     picture_work_do (work, scene);
-    canvas_picture_take_back (picture, work, TRUE, is_moving, NULL);
+    canvas_picture_take_back (picture, work, TRUE, NULL);
   }
   return is_as_wished;
 }

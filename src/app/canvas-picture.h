@@ -53,6 +53,7 @@ typedef struct PictureWork PictureWork;
 PictureWork *canvas_picture_lend (CanvasPicture *picture,
                                   const Projection *projection,
                                   const Theme *theme,
+                                  gboolean is_moving,
                                   GError **error);
 void picture_work_do (PictureWork *work, const Scene *scene);
 void picture_work_prepare (PictureWork *work); /* for what will be lit */
@@ -64,7 +65,6 @@ void picture_work_free (PictureWork *work);
 gboolean canvas_picture_take_back (CanvasPicture *picture,
                                    PictureWork *work,
                                    gboolean is_up_to_date,
-                                   gboolean is_moving,
                                    GError **error);
 
 /* Returns: FALSE: there is nothing to be shown yet. */

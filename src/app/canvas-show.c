@@ -229,7 +229,7 @@ on_work_done (CanvasWork *work, gpointer user)
   if (work->has_other_look)
     canvas_scene_invalidate (show->scene, !work->has_other_scene);
   canvas_picture_take_back (show->picture, g_steal_pointer (&work->picture),
-                            !work->is_outdated, may_be_rough (show), &error);
+                            !work->is_outdated, &error);
   note_painted (show, error);
   gtk_widget_queue_draw (GTK_WIDGET (show->canvas));
   canvas_tell_renewed (show->canvas);
@@ -246,7 +246,8 @@ begin_work (CanvasShow *show, const Projection *projection, Showing *showing)
   work->scene = show->scene;
   work->showing = showing;
   work->picture = canvas_picture_lend (show->picture, projection,
-                                       canvas_get_theme (show->canvas), &error);
+                                       canvas_get_theme (show->canvas),
+                                       may_be_rough (show), &error);
   work->projection = *projection;
   work->n_sites = session_get_set (show->session)->n_sites;
   if (error != NULL)

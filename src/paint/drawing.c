@@ -26,6 +26,7 @@ drawing_free (Drawing *drawing)
   free (drawing->styles);
   free (drawing->placed);
   free (drawing->sorts);
+  hidden_corners_free (drawing->hidden);
   free (drawing);
 }
 
@@ -45,6 +46,7 @@ drawing_begin (Drawing *drawing,
   drawing->size = stock != NULL ? stock->size : 1;
   drawing->in_hand = (StrokePlace){ INDEX_NONE, 0, 0 };
   drawing->key = 0;
+  drawing->is_sketch = stock != NULL && stock->is_sketch;
 }
 
 uint32_t
@@ -101,6 +103,19 @@ stroke_add (Drawing *drawing, Pixel pixel)
   drawing->strokes[drawing->n_strokes - 1].n += 1;
 }
 
+/* fmin() and fmax(), without asking the library. */
+static double
+least (double a, double b)
+{
+  return a < b ? a : b;
+}
+
+static double
+most (double a, double b)
+{
+  return a > b ? a : b;
+}
+
 double
 stroke_reach (const Drawing *drawing, const Stroke *stroke)
 {
@@ -109,7 +124,7 @@ stroke_reach (const Drawing *drawing, const Stroke *stroke)
   switch (stroke->kind) {
   case STROKE_POLYGON:
     return 1
-           + fmax (style->width / 2 + style->halo_width,
+           + most (style->width / 2 + style->halo_width,
                    style->hatch == HATCH_NONE ? 0 : 2 * style->hatch_width);
   case STROKE_CASING:
     return 1 + style->casing / 2;
@@ -140,10 +155,10 @@ stroke_end (Drawing *drawing)
   pixels = &drawing->pixels[stroke->first];
   low = high = pixels[0];
   for (i = 1; i < stroke->n; i++) {
-    low.x = fmin (low.x, pixels[i].x);
-    low.y = fmin (low.y, pixels[i].y);
-    high.x = fmax (high.x, pixels[i].x);
-    high.y = fmax (high.y, pixels[i].y);
+    low.x = least (low.x, pixels[i].x);
+    low.y = least (low.y, pixels[i].y);
+    high.x = most (high.x, pixels[i].x);
+    high.y = most (high.y, pixels[i].y);
   }
   stroke->box = (PixelBox){ (float)(low.x - reach), (float)(low.y - reach),
                             (float)(high.x + reach), (float)(high.y + reach) };

@@ -68,14 +68,16 @@ typedef struct Drawing {
   uint32_t n_styles, styles_room;
   PlacedName *placed;
   uint32_t n_placed, placed_room;
-  Names *names;              /* borrowed; kept from one scene to the next */
-  uint32_t edition;          /* of the names; numbers of another one are void */
-  const Theme *theme;        /* borrowed */
-  double width, height;      /* px */
-  double size;               /* of marks and lines; below 1 in a crowd */
-  StrokePlace in_hand;       /* of the strokes that are begun next, */
-  uint64_t key;              /* and their key */
-  struct PainterSort *sorts; /* painter-style.c: which style is whose */
+  Names *names;         /* borrowed; kept from one scene to the next */
+  uint32_t edition;     /* of the names; numbers of another one are void */
+  const Theme *theme;   /* borrowed */
+  double width, height; /* px */
+  double size;          /* of marks and lines; below 1 in a crowd */
+  StrokePlace in_hand;  /* of the strokes that are begun next, */
+  uint64_t key;         /* and their key */
+  bool is_sketch;       /* drawing_set_sketch() */
+  struct HiddenCorners *hidden; /* painter-hidden.c: corners of the scene */
+  struct PainterSort *sorts;    /* painter-style.c: which style is whose */
 } Drawing;
 
 Drawing *drawing_new (Names *names);
@@ -88,6 +90,14 @@ void drawing_set (Drawing *drawing,
                   const Scene *scene,
                   const Projection *projection,
                   const Theme *theme);
+
+/* The same for a picture that is looked at for a moment, because something
+ * moves: where there is much to draw, what is hardly seen is left out. Such a
+ * drawing is a sketch, and none of its strokes has a key. */
+void drawing_set_sketch (Drawing *drawing,
+                         const Scene *scene,
+                         const Projection *projection,
+                         const Theme *theme);
 
 /* The same of its stock alone, as if nothing were lit. What is lit can be laid
  * over it: lit-drawing.h. */
@@ -105,6 +115,9 @@ void drawing_begin (Drawing *drawing,
                     const Projection *projection,
                     const Theme *theme,
                     const Drawing *stock);
+
+typedef struct HiddenCorners HiddenCorners;
+void hidden_corners_free (HiddenCorners *hidden);
 
 /* For painter*.c: begins a stroke; pixels that are added after it are its
  * own, until stroke_end() finds its box. A stroke without pixels is dropped.

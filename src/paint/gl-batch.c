@@ -12,6 +12,8 @@ gl_batch_clear (GlBatch *batch)
 {
   free (batch->vertices);
   free (batch->indices);
+  free (batch->bare);
+  free (batch->runs);
   memset (batch, 0, sizeof *batch);
 }
 
@@ -22,41 +24,81 @@ channel (double value, double alpha)
 }
 
 void
-gl_batch_add (GlBatch *batch, const GlInk *ink, Pixel at, const float local[3])
+gl_batch_bytes (Colour colour, unsigned char bytes[4])
 {
-  const Colour colour = ink->colour;
   const double alpha = fmin (fmax (colour.alpha, 0), 1);
 
+  bytes[0] = channel (colour.red, alpha);
+  bytes[1] = channel (colour.green, alpha);
+  bytes[2] = channel (colour.blue, alpha);
+  bytes[3] = channel (alpha, 1);
+}
+
+void
+gl_batch_add (GlBatch *batch, const GlInk *ink, Pixel at, const float local[3])
+{
+  GlVertex vertex = {
+    .at = { (float)at.x, (float)at.y },
+    .local = { local[0], local[1], local[2] },
+    .shape = { ink->shape[0], ink->shape[1], ink->shape[2], (float)ink->kind },
+  };
+
+  gl_batch_bytes (ink->colour, vertex.colour);
   if (batch->n_vertices == batch->vertices_room)
     batch->vertices
         = memory_grow (batch->vertices, &batch->vertices_room,
                        batch->n_vertices + 1, sizeof *batch->vertices);
-  batch->vertices[batch->n_vertices++] = (GlVertex){
-    .at = { (float)at.x, (float)at.y },
-    .local = { local[0], local[1], local[2] },
-    .shape = { ink->shape[0], ink->shape[1], ink->shape[2], (float)ink->kind },
-    .colour = { channel (colour.red, alpha), channel (colour.green, alpha),
-                channel (colour.blue, alpha), channel (alpha, 1) },
-  };
+  batch->vertices[batch->n_vertices++] = vertex;
+}
+
+void
+gl_batch_begin_run (GlBatch *batch, GlRunKind kind)
+{
+  const uint32_t first
+      = kind == GL_RUN_STROKES ? batch->n_indices : batch->n_bare;
+
+  if (batch->n_runs > 0 && batch->runs[batch->n_runs - 1].kind == kind)
+    return;
+  if (batch->n_runs == batch->runs_room)
+    batch->runs = memory_grow (batch->runs, &batch->runs_room,
+                               batch->n_runs + 1, sizeof *batch->runs);
+  batch->runs[batch->n_runs++] = (GlRun){ kind, first, 0 };
+}
+
+static void
+add_index (GlBatch *batch, uint32_t vertex)
+{
+  if (batch->n_indices == batch->indices_room)
+    batch->indices = memory_grow (batch->indices, &batch->indices_room,
+                                  batch->n_indices + 1, sizeof *batch->indices);
+  batch->indices[batch->n_indices++] = vertex;
+  batch->runs[batch->n_runs - 1].n++;
+}
+
+/* The part of a polygon that the edge from @first to @last cuts off. It is
+ * halved again and again: triangles that all met in one corner would be
+ * splinters, which take long to fill. */
+static void
+join_part (GlBatch *batch, uint32_t first, uint32_t last)
+{
+  const uint32_t middle = first + (last - first) / 2;
+
+  if (middle == first)
+    return;
+  add_index (batch, first);
+  add_index (batch, middle);
+  add_index (batch, last);
+  join_part (batch, first, middle);
+  join_part (batch, middle, last);
 }
 
 void
 gl_batch_join (GlBatch *batch, uint32_t n)
 {
-  const uint32_t first = batch->n_vertices - n;
-  uint32_t i;
-
   if (n < 3)
     return;
-  if (batch->n_indices + 3 * (n - 2) > batch->indices_room)
-    batch->indices
-        = memory_grow (batch->indices, &batch->indices_room,
-                       batch->n_indices + 3 * (n - 2), sizeof *batch->indices);
-  for (i = 1; i + 1 < n; i++) {
-    batch->indices[batch->n_indices++] = first;
-    batch->indices[batch->n_indices++] = first + i;
-    batch->indices[batch->n_indices++] = first + i + 1;
-  }
+  gl_batch_begin_run (batch, GL_RUN_STROKES);
+  join_part (batch, batch->n_vertices - n, batch->n_vertices - 1);
 }
 
 static void
@@ -79,12 +121,16 @@ add_polygon (GlBatch *batch,
   gl_batch_join (batch, n);
 }
 
-static void
-fill_polygon (GlBatch *batch, const Pixel *corners, uint32_t n, Colour colour)
+void
+gl_batch_fill (GlBatch *batch, const Pixel *corners, uint32_t n, Colour colour)
 {
   const GlInk ink = { .colour = colour, .kind = GL_KIND_FLAT };
 
-  if (colour.alpha > 0)
+  if (!(colour.alpha > 0))
+    return;
+  if (batch->is_sketch)
+    gl_sketch_polygon (batch, corners, n, colour);
+  else
     add_polygon (batch, &ink, corners, n, 0);
 }
 
@@ -169,7 +215,7 @@ add_halo (GlBatch *batch, const Style *style, const Pixel *corners, uint32_t n)
           .width = BRUSH_HALO_OUTLINE * style->halo_width * batch->scale,
           .is_closed = true };
 
-  fill_polygon (batch, corners, n, faded (style->halo, BRUSH_HALO_FILL_ALPHA));
+  gl_batch_fill (batch, corners, n, faded (style->halo, BRUSH_HALO_FILL_ALPHA));
   gl_batch_line (batch, &outline, corners, n);
 }
 
@@ -179,91 +225,13 @@ add_area (GlBatch *batch,
           const Stroke *stroke,
           const Pixel *corners)
 {
-  fill_polygon (batch, corners, stroke->n, stroke->fill);
+  gl_batch_fill (batch, corners, stroke->n, stroke->fill);
   if (style->line.alpha > 0)
     hatch_polygon (batch, style, corners, stroke->n);
   if (style->halo.alpha > 0)
     add_halo (batch, style, corners, stroke->n);
   if (style->width > 0 && style->line.alpha > 0)
     add_line (batch, style, corners, stroke->n, true);
-}
-
-/* Regions */
-
-/* Cuts the convex polygon @corners along the line from @a to @b: what lies
- * left of it into @left, what lies right into @right, each with room for
- * n + 2. */
-static void
-cut (const Pixel *corners,
-     uint32_t n,
-     const Pixel line[2],
-     Pixel *sides[2],
-     uint32_t n_sides[2])
-{
-  const double dx = line[1].x - line[0].x, dy = line[1].y - line[0].y;
-  uint32_t i;
-
-  n_sides[0] = n_sides[1] = 0;
-  for (i = 0; i < n; i++) {
-    const Pixel p = corners[i], q = corners[i + 1 < n ? i + 1 : 0];
-    const double from = dx * (p.y - line[0].y) - dy * (p.x - line[0].x);
-    const double to = dx * (q.y - line[0].y) - dy * (q.x - line[0].x);
-
-    if (from >= 0)
-      sides[0][n_sides[0]++] = p;
-    if (from <= 0)
-      sides[1][n_sides[1]++] = p;
-    if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
-      const double part = from / (from - to);
-      const Pixel here = { p.x + part * (q.x - p.x), p.y + part * (q.y - p.y) };
-
-      sides[0][n_sides[0]++] = here;
-      sides[1][n_sides[1]++] = here;
-    }
-  }
-}
-
-/* Twice the area, positive when the ring turns as angles grow. */
-static double
-turn_of (const Pixel *ring, uint32_t n)
-{
-  double sum = 0;
-  uint32_t i;
-
-  for (i = 0; i < n; i++) {
-    const Pixel p = ring[i], q = ring[i + 1 < n ? i + 1 : 0];
-
-    sum += p.x * q.y - p.y * q.x;
-  }
-  return sum;
-}
-
-/* What lies in the outer ring and not in the inner one, in convex pieces: each
- * edge of the inner ring cuts off what lies beyond it. */
-static void
-add_region (GlBatch *batch, const Stroke *stroke, const Pixel *pixels)
-{
-  const Pixel *inner = pixels + stroke->n_outer;
-  const uint32_t n_inner = stroke->n - stroke->n_outer;
-  const int outside = turn_of (inner, n_inner) > 0 ? 1 : 0;
-  Pixel *room = memory_new (3 * (stroke->n + 8), 2 * sizeof *room);
-  Pixel *rest = room, *sides[2];
-  uint32_t i, n_rest = stroke->n_outer, n_sides[2];
-
-  sides[0] = room + 2 * (stroke->n + 8);
-  sides[1] = sides[0] + 2 * (stroke->n + 8);
-  memcpy (rest, pixels, n_rest * sizeof *rest);
-  if (n_inner == 0)
-    fill_polygon (batch, rest, n_rest, stroke->fill);
-  for (i = 0; i < n_inner && n_rest > 2; i++) {
-    const Pixel line[2] = { inner[i], inner[i + 1 < n_inner ? i + 1 : 0] };
-
-    cut (rest, n_rest, line, sides, n_sides);
-    fill_polygon (batch, sides[outside], n_sides[outside], stroke->fill);
-    n_rest = n_sides[!outside];
-    memcpy (rest, sides[!outside], n_rest * sizeof *rest);
-  }
-  free (room);
 }
 
 /* Marks */
@@ -318,7 +286,7 @@ add_diamond (GlBatch *batch, const Style *style, Pixel at)
                            .width = style->width * batch->scale,
                            .is_closed = true };
 
-  fill_polygon (batch, corners, 4, style->fill);
+  gl_batch_fill (batch, corners, 4, style->fill);
   gl_batch_line (batch, &outline, corners, 4);
 }
 
@@ -381,20 +349,23 @@ gl_batch_set (GlBatch *batch, const Drawing *drawing, double scale)
 {
   uint32_t i;
 
-  batch->n_vertices = batch->n_indices = 0;
+  batch->n_vertices = batch->n_indices = batch->n_bare = batch->n_runs = 0;
   batch->scale = scale;
+  batch->is_sketch = drawing->is_sketch;
   batch->theme = drawing->theme;
   for (i = 0; i < drawing->n_strokes; i++) {
     const Stroke *stroke = &drawing->strokes[i];
     const Pixel *pixels = &drawing->pixels[stroke->first];
     const Style *style = &drawing->styles[stroke->style];
 
+    if (batch->is_sketch && gl_sketch_add (batch, stroke, style, pixels))
+      continue;
     switch (stroke->kind) {
     case STROKE_POLYGON:
       add_area (batch, style, stroke, pixels);
       break;
     case STROKE_REGION:
-      add_region (batch, stroke, pixels);
+      gl_batch_region (batch, stroke, pixels);
       break;
     case STROKE_CASING:
       add_casing (batch, style, pixels, stroke->n);

@@ -6,17 +6,27 @@
 #include <epoxy/gl.h>
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #define N_SAMPLES 4
 
+#define LONG_RUN 4000 /* vertices that are worth being sent at once */
+
 G_DEFINE_QUARK (gl - painter - error - quark, gl_painter_error)
 
+/* A program and the places of its uniforms; -1: it has no such one. */
+typedef struct Program {
+  unsigned number;
+  int size_place, ground_place, names_place;
+} Program;
+
 struct GlPainter {
-  unsigned program, vertex_array, buffers[2]; /* vertices, indices */
-  unsigned framebuffer, renderbuffer;         /* with several samples */
-  int width, height;                          /* of the renderbuffer */
+  Program programs[N_GL_PROGRAMS];
+  unsigned vertex_arrays[2], buffers[2]; /* of GlVertex and GlBareVertex */
+  unsigned index_buffer;                 /* for the first one */
+  unsigned framebuffer, renderbuffer;    /* with several samples */
+  int width, height;                     /* of the renderbuffer */
   int n_samples;
-  int size_place, ground_place, names_place; /* of the uniforms */
   GlAtlas *atlas;
   GlBatch batch;
 };
@@ -27,42 +37,53 @@ is_new_enough (void)
   return epoxy_gl_version () >= (epoxy_is_desktop_gl () ? 32 : 30);
 }
 
-/* Says where in a vertex its numbers are. */
-static void
-describe_vertices (void)
-{
-  static const struct {
-    GlAttribute attribute;
-    int n;
-    unsigned type;
-    gboolean is_normalized;
-    size_t offset;
-  } parts[] = {
-    { GL_ATTRIBUTE_AT, 2, GL_FLOAT, FALSE, offsetof (GlVertex, at) },
-    { GL_ATTRIBUTE_LOCAL, 3, GL_FLOAT, FALSE, offsetof (GlVertex, local) },
-    { GL_ATTRIBUTE_SHAPE, 4, GL_FLOAT, FALSE, offsetof (GlVertex, shape) },
-    { GL_ATTRIBUTE_COLOUR, 4, GL_UNSIGNED_BYTE, TRUE,
-      offsetof (GlVertex, colour) },
-  };
-  size_t i;
+/* Where in a vertex some of its numbers are. */
+typedef struct VertexPart {
+  GlAttribute attribute;
+  int n;
+  unsigned type;
+  gboolean is_normalized;
+  size_t offset;
+} VertexPart;
 
-  for (i = 0; i < G_N_ELEMENTS (parts); i++) {
-    glEnableVertexAttribArray (parts[i].attribute);
-    glVertexAttribPointer (parts[i].attribute, parts[i].n, parts[i].type,
-                           (GLboolean)parts[i].is_normalized, sizeof (GlVertex),
-                           (const void *)(uintptr_t)parts[i].offset);
+static void
+make_array (GlPainter *painter, int i, const VertexPart *parts, size_t stride)
+{
+  glBindVertexArray (painter->vertex_arrays[i]);
+  glBindBuffer (GL_ARRAY_BUFFER, painter->buffers[i]);
+  for (; parts->n > 0; parts++) {
+    glEnableVertexAttribArray (parts->attribute);
+    glVertexAttribPointer (parts->attribute, parts->n, parts->type,
+                           (GLboolean)parts->is_normalized, (int)stride,
+                           (const void *)(uintptr_t)parts->offset);
   }
 }
 
 static void
 make_buffers (GlPainter *painter)
 {
-  glGenVertexArrays (1, &painter->vertex_array);
+  static const VertexPart parts[] = {
+    { GL_ATTRIBUTE_AT, 2, GL_FLOAT, FALSE, offsetof (GlVertex, at) },
+    { GL_ATTRIBUTE_LOCAL, 3, GL_FLOAT, FALSE, offsetof (GlVertex, local) },
+    { GL_ATTRIBUTE_SHAPE, 4, GL_FLOAT, FALSE, offsetof (GlVertex, shape) },
+    { GL_ATTRIBUTE_COLOUR, 4, GL_UNSIGNED_BYTE, TRUE,
+      offsetof (GlVertex, colour) },
+    { 0 },
+  };
+  static const VertexPart bare_parts[] = {
+    { GL_ATTRIBUTE_AT, 2, GL_FLOAT, FALSE, offsetof (GlBareVertex, at) },
+    { GL_ATTRIBUTE_SIDE, 1, GL_FLOAT, FALSE, offsetof (GlBareVertex, side) },
+    { GL_ATTRIBUTE_COLOUR, 4, GL_UNSIGNED_BYTE, TRUE,
+      offsetof (GlBareVertex, colour) },
+    { 0 },
+  };
+
+  glGenVertexArrays (2, painter->vertex_arrays);
   glGenBuffers (2, painter->buffers);
-  glBindVertexArray (painter->vertex_array);
-  glBindBuffer (GL_ARRAY_BUFFER, painter->buffers[0]);
-  glBindBuffer (GL_ELEMENT_ARRAY_BUFFER, painter->buffers[1]);
-  describe_vertices ();
+  glGenBuffers (1, &painter->index_buffer);
+  make_array (painter, 0, parts, sizeof (GlVertex));
+  glBindBuffer (GL_ELEMENT_ARRAY_BUFFER, painter->index_buffer);
+  make_array (painter, 1, bare_parts, sizeof (GlBareVertex));
   glBindVertexArray (0);
   glGenFramebuffers (1, &painter->framebuffer);
   glGenRenderbuffers (1, &painter->renderbuffer);
@@ -80,11 +101,33 @@ forget_errors (void)
     continue;
 }
 
+static gboolean
+make_programs (Program *programs, GError **error)
+{
+  for (int i = 0; i < N_GL_PROGRAMS; i++) {
+    const unsigned number = gl_program_new ((GlProgramKind)i, error);
+
+    if (number == 0)
+      return FALSE;
+    programs[i] = (Program){ number, glGetUniformLocation (number, "size"),
+                             glGetUniformLocation (number, "ground"),
+                             glGetUniformLocation (number, "names") };
+  }
+  return TRUE;
+}
+
+static void
+delete_programs (const Program *programs)
+{
+  for (int i = 0; i < N_GL_PROGRAMS; i++)
+    glDeleteProgram (programs[i].number);
+}
+
 GlPainter *
 gl_painter_new (GError **error)
 {
+  Program programs[N_GL_PROGRAMS] = { 0 };
   GlPainter *painter;
-  unsigned program;
 
   if (!is_new_enough ()) {
     g_set_error (error, GL_PAINTER_ERROR, GL_PAINTER_ERROR_VERSION,
@@ -93,14 +136,12 @@ gl_painter_new (GError **error)
     return NULL;
   }
   forget_errors ();
-  program = gl_program_new (error);
-  if (program == 0)
+  if (!make_programs (programs, error)) {
+    delete_programs (programs);
     return NULL;
+  }
   painter = g_new0 (GlPainter, 1);
-  painter->program = program;
-  painter->size_place = glGetUniformLocation (program, "size");
-  painter->ground_place = glGetUniformLocation (program, "ground");
-  painter->names_place = glGetUniformLocation (program, "names");
+  memcpy (painter->programs, programs, sizeof programs);
   make_buffers (painter);
   painter->atlas = gl_atlas_new ();
   return painter;
@@ -112,9 +153,10 @@ gl_painter_free (GlPainter *painter)
   if (painter == NULL)
     return;
   gl_atlas_free (painter->atlas);
-  glDeleteProgram (painter->program);
+  delete_programs (painter->programs);
   glDeleteBuffers (2, painter->buffers);
-  glDeleteVertexArrays (1, &painter->vertex_array);
+  glDeleteBuffers (1, &painter->index_buffer);
+  glDeleteVertexArrays (2, painter->vertex_arrays);
   glDeleteFramebuffers (1, &painter->framebuffer);
   glDeleteRenderbuffers (1, &painter->renderbuffer);
   gl_batch_clear (&painter->batch);
@@ -162,29 +204,82 @@ set_state (const GlPainter *painter, const Theme *theme, const int size[2])
   glBlendFunc (GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glClearColor ((float)ground.red, (float)ground.green, (float)ground.blue, 1);
   glClear (GL_COLOR_BUFFER_BIT);
-  glUseProgram (painter->program);
-  glUniform2f (painter->size_place, (float)size[0], (float)size[1]);
-  glUniform4f (painter->ground_place, (float)ground.red, (float)ground.green,
-               (float)ground.blue, 1);
-  glUniform1i (painter->names_place, 0);
+  for (int i = 0; i < N_GL_PROGRAMS; i++) {
+    const Program *program = &painter->programs[i];
+
+    /* What a program does not have, at -1, is passed over. */
+    glUseProgram (program->number);
+    glUniform2f (program->size_place, (float)size[0], (float)size[1]);
+    glUniform4f (program->ground_place, (float)ground.red, (float)ground.green,
+                 (float)ground.blue, 1);
+    glUniform1i (program->names_place, 0);
+  }
+  /* OpenGL ES has it always so. */
+  if (epoxy_is_desktop_gl ())
+    glEnable (GL_PROGRAM_POINT_SIZE);
   glActiveTexture (GL_TEXTURE0);
   glBindTexture (GL_TEXTURE_2D, gl_atlas_get_texture (painter->atlas));
+}
+
+static void
+use (const GlPainter *painter, GlProgramKind kind)
+{
+  glUseProgram (painter->programs[kind].number);
+  glBindVertexArray (painter->vertex_arrays[kind != GL_PROGRAM_STROKES]);
+}
+
+static void
+draw_run (const GlPainter *painter, const GlRun *run)
+{
+  const uintptr_t offset = run->first * sizeof *painter->batch.indices;
+  const int first = (int)run->first, n = (int)run->n;
+
+  switch (run->kind) {
+  case GL_RUN_STROKES:
+    use (painter, GL_PROGRAM_STROKES);
+    glDrawElements (GL_TRIANGLES, n, GL_UNSIGNED_INT, (const void *)offset);
+    break;
+  case GL_RUN_TRIANGLES:
+    use (painter, GL_PROGRAM_BARE);
+    glDrawArrays (GL_TRIANGLES, first, n);
+    break;
+  case GL_RUN_LINES:
+    use (painter, GL_PROGRAM_BARE);
+    glDrawArrays (GL_LINES, first, n);
+    break;
+  case GL_RUN_POINTS:
+    use (painter, GL_PROGRAM_BARE);
+    glDrawArrays (GL_POINTS, first, n);
+    break;
+  }
+}
+
+static void
+fill_buffer (unsigned target, unsigned buffer, const void *from, size_t n_bytes)
+{
+  glBindBuffer (target, buffer);
+  glBufferData (target, (GLsizeiptr)n_bytes, from, GL_STREAM_DRAW);
 }
 
 static void
 draw (const GlPainter *painter)
 {
   const GlBatch *batch = &painter->batch;
+  uint32_t i;
 
-  glBindVertexArray (painter->vertex_array);
-  glBindBuffer (GL_ARRAY_BUFFER, painter->buffers[0]);
-  glBufferData (GL_ARRAY_BUFFER,
-                (GLsizeiptr)(batch->n_vertices * sizeof *batch->vertices),
-                batch->vertices, GL_STREAM_DRAW);
-  glBufferData (GL_ELEMENT_ARRAY_BUFFER,
-                (GLsizeiptr)(batch->n_indices * sizeof *batch->indices),
-                batch->indices, GL_STREAM_DRAW);
-  glDrawElements (GL_TRIANGLES, (int)batch->n_indices, GL_UNSIGNED_INT, NULL);
+  glBindVertexArray (painter->vertex_arrays[0]);
+  fill_buffer (GL_ARRAY_BUFFER, painter->buffers[0], batch->vertices,
+               batch->n_vertices * sizeof *batch->vertices);
+  fill_buffer (GL_ELEMENT_ARRAY_BUFFER, painter->index_buffer, batch->indices,
+               batch->n_indices * sizeof *batch->indices);
+  fill_buffer (GL_ARRAY_BUFFER, painter->buffers[1], batch->bare,
+               batch->n_bare * sizeof *batch->bare);
+  for (i = 0; i < batch->n_runs; i++) {
+    draw_run (painter, &batch->runs[i]);
+    /* Let it be painted while the next one is told. */
+    if (batch->runs[i].n >= LONG_RUN)
+      glFlush ();
+  }
   glBindVertexArray (0);
   glBindBuffer (GL_ARRAY_BUFFER, 0);
   glUseProgram (0);

@@ -32,7 +32,8 @@ void gl_painter_free (GlPainter *painter);
 typedef struct GlTarget {
   unsigned framebuffer; /* as large as the drawing times the scale */
   double scale;         /* device pixels per px */
-  bool is_rough;        /* something moves: one sample per pixel */
+  bool is_rough;        /* something moves: one sample per pixel. Drawings are
+                           best sketches then: drawing_set_sketch() */
 } GlTarget;
 
 /* Paints the background, the strokes and the names. The layers of a scene are

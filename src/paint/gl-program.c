@@ -7,6 +7,8 @@
 /* Ends each line of the shaders, which are strings by now. */
 #define NEWLINE "\n"
 
+#include "bare-fragment.h"
+#include "bare-vertex.h"
 #include "stroke-fragment.h"
 #include "stroke-vertex.h"
 
@@ -53,6 +55,7 @@ link_program (unsigned program, const unsigned shaders[2], GError **error)
   glBindAttribLocation (program, GL_ATTRIBUTE_COLOUR, "colour");
   glBindAttribLocation (program, GL_ATTRIBUTE_LOCAL, "local");
   glBindAttribLocation (program, GL_ATTRIBUTE_SHAPE, "shape");
+  glBindAttribLocation (program, GL_ATTRIBUTE_SIDE, "side");
   glLinkProgram (program);
   glGetProgramiv (program, GL_LINK_STATUS, &is_linked);
   if (is_linked)
@@ -64,14 +67,18 @@ link_program (unsigned program, const unsigned shaders[2], GError **error)
 }
 
 unsigned
-gl_program_new (GError **error)
+gl_program_new (GlProgramKind kind, GError **error)
 {
+  static const char *const sources[N_GL_PROGRAMS][2] = {
+    [GL_PROGRAM_STROKES] = { stroke_vertex, stroke_fragment },
+    [GL_PROGRAM_BARE] = { bare_vertex, bare_fragment },
+  };
   unsigned shaders[2] = { 0, 0 };
   unsigned program = 0;
 
-  shaders[0] = compile (GL_VERTEX_SHADER, stroke_vertex, error);
+  shaders[0] = compile (GL_VERTEX_SHADER, sources[kind][0], error);
   if (shaders[0] != 0)
-    shaders[1] = compile (GL_FRAGMENT_SHADER, stroke_fragment, error);
+    shaders[1] = compile (GL_FRAGMENT_SHADER, sources[kind][1], error);
   if (shaders[1] != 0) {
     program = glCreateProgram ();
     if (!link_program (program, shaders, error)) {

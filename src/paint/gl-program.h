@@ -1,4 +1,4 @@
-/* The program of the GL painter, from ui/shaders. */
+/* The programs of the GL painter, from ui/shaders. */
 #ifndef GL_PROGRAM_H
 #define GL_PROGRAM_H
 
@@ -10,9 +10,18 @@ typedef enum GlAttribute {
   GL_ATTRIBUTE_COLOUR,
   GL_ATTRIBUTE_LOCAL,
   GL_ATTRIBUTE_SHAPE,
+  GL_ATTRIBUTE_SIDE,
 } GlAttribute;
 
+/* What a program paints. */
+typedef enum GlProgramKind {
+  GL_PROGRAM_STROKES, /* GlVertex */
+  GL_PROGRAM_BARE,    /* GlBareVertex */
+} GlProgramKind;
+
+#define N_GL_PROGRAMS (GL_PROGRAM_BARE + 1)
+
 /* Returns: the program, or 0 with @error set. */
-unsigned gl_program_new (GError **error);
+unsigned gl_program_new (GlProgramKind kind, GError **error);
 
 #endif

@@ -106,6 +106,7 @@ lit_drawing_set (LitDrawing *light,
                       .scene = scene,
                       .projection = projection,
                       .theme = stock->theme,
+                      .lamp = painter_lamp (projection),
                       .is_plain = true };
   uint32_t n_items;
   uint32_t *items = list_items (scene, &n_items);

@@ -62,6 +62,8 @@ painter_key (const Painter *painter, const SceneItem *item, StrokeKind kind)
                          | (uint64_t)kind << 1 | painter->scene->is_space;
   Sums sums = { look, place };
 
+  if (painter->drawing->is_sketch)
+    return 0;
   sums.a = stir (sums.a, bits_of (item->fade));
   sums.b = stir (sums.b, item->hue);
   stir_points (&sums, &painter->scene->points[item->first], item->n);
@@ -125,6 +127,8 @@ painter_draw_again (Painter *painter, uint64_t key)
   const Drawing *before = painter->before;
   uint32_t i;
 
+  if (painter->drawing->is_sketch)
+    return false;
   key = own_key (painter, key);
   painter->drawing->key = key;
   painter->first_new = painter->drawing->n_strokes;

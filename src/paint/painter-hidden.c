@@ -1,6 +1,7 @@
 /* Which corners of the hull it hides itself: no facet at them faces the eye.
  * Corners are known by their place, which all facets at a lift and its mark
- * have to the last bit. */
+ * have to the last bit. They are numbered once for each scene, so that the
+ * camera turns without a search. */
 #include "memory.h"
 #include "painter-private.h"
 
@@ -9,15 +10,22 @@
 
 #define FADED 0.5 /* what is paler hides nothing */
 
-typedef struct Corner {
-  uint64_t place; /* 0: none */
-  bool is_seen;
-} Corner;
+/* What is known of a corner. */
+enum { CORNER_OF_HULL = 1, CORNER_SEEN = 2 };
 
 struct HiddenCorners {
-  Corner *corners; /* mask + 1 of them */
-  uint32_t mask;
+  uint64_t edition;         /* of the stock whose corners are numbered */
+  uint32_t *numbers;        /* of each point of the stock, or INDEX_NONE */
+  uint32_t *items, n_items; /* that have a say in which corners are seen */
+  unsigned char *states;    /* of each corner, at this projection */
+  uint32_t n_corners;
 };
+
+/* A place and its number, while corners are numbered. */
+typedef struct Spot {
+  uint64_t hash; /* 0: none */
+  uint32_t number;
+} Spot;
 
 static uint64_t
 stir (uint64_t sum, double number)
@@ -34,17 +42,6 @@ static uint64_t
 place_of (Point3 point)
 {
   return stir (stir (stir (1, point.x), point.y), point.z) | 1;
-}
-
-/* Returns: the corner there, or where it would be. */
-static Corner *
-corner_at (const HiddenCorners *hidden, uint64_t place)
-{
-  uint32_t i = (uint32_t)(place >> 32) & hidden->mask;
-
-  while (hidden->corners[i].place != 0 && hidden->corners[i].place != place)
-    i = (i + 1) & hidden->mask;
-  return &hidden->corners[i];
 }
 
 /* What the round in hand is about is drawn over the hull, and so are its
@@ -74,68 +71,127 @@ counts (const SceneItem *item)
   return (is_facet (item) || is_active (item)) && item->fade < 1;
 }
 
+static bool
+can_hide (const SceneItem *item)
+{
+  return item->role == ROLE_SITE || item->role == ROLE_LIFT;
+}
+
+/* Numbers of an item's points that may be corners: of a lift its end. */
+static uint32_t
+first_corner (const SceneItem *item)
+{
+  return can_hide (item) ? item->n - 1 : 0;
+}
+
+/* Gives a place its number, the next one when it is new. */
+static uint32_t
+number_place (Spot *places, uint32_t mask, uint64_t hash, uint32_t *n_numbers)
+{
+  uint32_t i = (uint32_t)(hash >> 32) & mask;
+
+  while (places[i].hash != 0 && places[i].hash != hash)
+    i = (i + 1) & mask;
+  if (places[i].hash == 0)
+    places[i] = (Spot){ hash, (*n_numbers)++ };
+  return places[i].number;
+}
+
 static void
-add_item (HiddenCorners *hidden, const Painter *painter, const SceneItem *item)
+number_corners (HiddenCorners *hidden, const Scene *scene, uint32_t n_points)
+{
+  uint32_t i, k, room = 16;
+  Spot *places;
+
+  while (room < 2 * (n_points + 1))
+    room *= 2;
+  places = memory_new (room, sizeof *places);
+  for (i = 0; i < scene->stock.n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+
+    if (!counts (item) && !can_hide (item))
+      continue;
+    if (counts (item))
+      hidden->items[hidden->n_items++] = i;
+    for (k = item->first + first_corner (item); k < item->first + item->n; k++)
+      hidden->numbers[k] = number_place (
+          places, room - 1, place_of (scene->points[k]), &hidden->n_corners);
+  }
+  free (places);
+}
+
+static void
+begin_scene (HiddenCorners *hidden, const Scene *scene)
+{
+  const SceneStock *stock = &scene->stock;
+  uint32_t i, n_points = 0;
+
+  free (hidden->numbers);
+  free (hidden->items);
+  free (hidden->states);
+  *hidden = (HiddenCorners){ .edition = stock->edition };
+  for (i = 0; i < stock->n_items; i++)
+    if (counts (&scene->items[i]) || can_hide (&scene->items[i]))
+      n_points += scene->items[i].n;
+  hidden->numbers = memory_room (stock->n_points, sizeof *hidden->numbers);
+  hidden->items = memory_room (stock->n_items, sizeof *hidden->items);
+  number_corners (hidden, scene, n_points);
+  hidden->states = memory_room (hidden->n_corners, sizeof *hidden->states);
+}
+
+static void
+look_at (HiddenCorners *hidden, const Painter *painter, const SceneItem *item)
 {
   const bool is_seen
       = is_active (item) || item->is_two_sided || item->fade >= FADED
         || scene_faces_eye (painter->scene, item, painter->projection);
+  const unsigned char state = CORNER_OF_HULL | (is_seen ? CORNER_SEEN : 0);
   uint32_t i;
 
-  for (i = 0; i < item->n; i++) {
-    const uint64_t place = place_of (painter->scene->points[item->first + i]);
-    Corner *corner = corner_at (hidden, place);
-
-    corner->place = place;
-    corner->is_seen |= is_seen;
-  }
+  for (i = 0; i < item->n; i++)
+    hidden->states[hidden->numbers[item->first + i]] |= state;
 }
 
-HiddenCorners *
-hidden_corners_new (const Painter *painter)
+void
+painter_find_hidden (Painter *painter)
 {
   const Scene *scene = painter->scene;
+  Drawing *drawing = painter->drawing;
   HiddenCorners *hidden;
-  uint32_t i, n = 0, room = 16;
+  uint32_t i;
 
+  painter->hidden = NULL;
   if (!scene->is_space)
-    return NULL;
-  for (i = 0; i < scene->stock.n_items; i++)
-    n += counts (&scene->items[i]) ? scene->items[i].n : 0;
-  while (room < 2 * (n + 1))
-    room *= 2;
-  hidden = memory_new (1, sizeof *hidden);
-  hidden->corners = memory_new (room, sizeof *hidden->corners);
-  hidden->mask = room - 1;
-  for (i = 0; i < scene->stock.n_items; i++)
-    if (counts (&scene->items[i]))
-      add_item (hidden, painter, &scene->items[i]);
-  return hidden;
+    return;
+  if (drawing->hidden == NULL)
+    drawing->hidden = memory_new (1, sizeof *drawing->hidden);
+  hidden = drawing->hidden;
+  if (hidden->edition != scene->stock.edition)
+    begin_scene (hidden, scene);
+  memset (hidden->states, 0, hidden->n_corners);
+  for (i = 0; i < hidden->n_items; i++)
+    look_at (hidden, painter, &scene->items[hidden->items[i]]);
+  painter->hidden = hidden;
 }
 
 void
 hidden_corners_free (HiddenCorners *hidden)
 {
-  if (hidden != NULL)
-    free (hidden->corners);
+  if (hidden == NULL)
+    return;
+  free (hidden->numbers);
+  free (hidden->items);
+  free (hidden->states);
   free (hidden);
-}
-
-static bool
-is_hidden_at (const HiddenCorners *hidden, Point3 point)
-{
-  const Corner *corner = corner_at (hidden, place_of (point));
-
-  return corner->place != 0 && !corner->is_seen;
 }
 
 bool
 painter_hides (const Painter *painter, const SceneItem *item)
 {
-  const bool can_hide = item->role == ROLE_SITE || item->role == ROLE_LIFT;
+  const HiddenCorners *hidden = painter->hidden;
 
   /* A lift ends at the hull. */
-  return can_hide && painter->hidden != NULL && item->emphasis != EMPHASIS_LOUD
-         && is_hidden_at (painter->hidden,
-                          painter->scene->points[item->first + item->n - 1]);
+  return hidden != NULL && can_hide (item) && item->emphasis != EMPHASIS_LOUD
+         && hidden->states[hidden->numbers[item->first + item->n - 1]]
+                == CORNER_OF_HULL;
 }

@@ -33,14 +33,14 @@ typedef struct PainterSort {
 
 #define N_PAINTER_SORTS 1024 /* a power of two; sorts share places */
 
-typedef struct HiddenCorners HiddenCorners;
-
 typedef struct Painter {
   Drawing *drawing;
   const Scene *scene;
   const Projection *projection;
   const Theme *theme;
+  Point3 lamp;      /* painter_lamp() */
   bool is_plain;    /* paints as if nothing were lit */
+  bool is_hasty;    /* draws a sketch where there is much to draw */
   SceneDepth depth; /* of the items in hand */
   bool is_behind;   /* the item in hand is a site that the hull hides */
   const HiddenCorners *hidden; /* NULL: it hides none */
@@ -61,20 +61,28 @@ typedef struct PaintOrder {
   uint32_t starts[N_PAINT_LAYERS + 1]; /* where each layer begins */
 } PaintOrder;
 
-/* Orders @n items, ascending; all from the first one when @items is NULL. */
+/* Orders @n items, ascending; NULL: all @n of the stock. */
 void paint_order_init (PaintOrder *order,
                        const Painter *painter,
                        const uint32_t *items,
                        uint32_t n);
 void paint_order_clear (PaintOrder *order);
 
-/* Returns: which corners of the hull are hidden by it, or NULL where there is
- *          no hull; free with hidden_corners_free(). */
-HiddenCorners *hidden_corners_new (const Painter *painter);
-void hidden_corners_free (HiddenCorners *hidden);
+/* Finds which corners of the hull it hides itself: painter->hidden. They are
+ * kept by the drawing. */
+void painter_find_hidden (Painter *painter);
 
 /* Whether an item is a site, or its lift, that painter->hidden hides. */
 bool painter_hides (const Painter *painter, const SceneItem *item);
+
+/* Light comes from the eye, a little from the upper left.
+ *
+ * Returns: the way from the eye to the lamp. */
+Point3 painter_lamp (const Projection *projection);
+
+/* Returns: the fill of a facet, darker the more it is turned from the light. */
+Colour
+painter_shade (const Painter *painter, const SceneItem *item, Colour fill);
 
 /* Adds strokes of @n items, ascending. */
 void painter_add_items (Painter *painter, const uint32_t *items, uint32_t n);

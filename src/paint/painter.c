@@ -15,8 +15,13 @@
 
 #define LEAST_RADIUS 1.3 /* of a mark; what is smaller is left out */
 
-/* Shade of a facet seen edge-on; face-on it is 1. */
-#define SHADE_LEAST 0.78
+/* A scene of so many items may be drawn as a sketch. With fewer of them each
+ * is looked at, and they take little time. */
+#define MANY_ITEMS 4000
+
+/* Ridges behind the hull with no more ink across than this, opaque px, are left
+ * out of a sketch: in a crowd that is half of all lines. */
+#define FAINT 0.25
 
 void
 painter_trace (Painter *painter,
@@ -44,52 +49,6 @@ painter_trace (Painter *painter,
     at = ends[1];
   }
   stroke_end (drawing);
-}
-
-static Point3
-normal_of (const Point3 *points)
-{
-  const Point3 a = points[0], b = points[1], c = points[2];
-  const Point3 d = { b.x - a.x, b.y - a.y, b.z - a.z };
-  const Point3 e = { c.x - a.x, c.y - a.y, c.z - a.z };
-  const Point3 normal
-      = { d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x };
-  const double length
-      = sqrt (normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
-
-  return (Point3){ normal.x / length, normal.y / length, normal.z / length };
-}
-
-/* Light comes from the eye, a little from the upper left. */
-static Point3
-light_at (const Painter *painter, Point3 point)
-{
-  const double *m = painter->projection->matrix;
-  Point3 light = projection_to_eye (painter->projection, point);
-  const double right = hypot (m[0], hypot (m[4], m[8]));
-  const double up = hypot (m[1], hypot (m[5], m[9]));
-  double length;
-
-  light.x += 0.45 * m[1] / up - 0.35 * m[0] / right;
-  light.y += 0.45 * m[5] / up - 0.35 * m[4] / right;
-  light.z += 0.45 * m[9] / up - 0.35 * m[8] / right;
-  length = sqrt (light.x * light.x + light.y * light.y + light.z * light.z);
-  return (Point3){ light.x / length, light.y / length, light.z / length };
-}
-
-static Colour
-shaded (const Painter *painter, const SceneItem *item, Colour fill)
-{
-  const Point3 *points = &painter->scene->points[item->first];
-  const Point3 normal = normal_of (points);
-  const Point3 light = light_at (painter, points[0]);
-  const double cosine
-      = fabs (normal.x * light.x + normal.y * light.y + normal.z * light.z);
-  const Colour black = { 0, 0, 0, 1 };
-
-  if (!isfinite (cosine))
-    return fill;
-  return colour_mix (fill, black, (1 - SHADE_LEAST) * (1 - cosine));
 }
 
 /* Gives the stroke in hand the corners of a polygon. */
@@ -124,7 +83,7 @@ add_polygon (Painter *painter, const SceneItem *item)
   if (theme_has_hue (item->role))
     stroke->fill = painter_style (painter, item).fill;
   if (look->is_shaded && painter->scene->is_space && item->pass == PASS_HULL)
-    stroke->fill = shaded (painter, item, stroke->fill);
+    stroke->fill = painter_shade (painter, item, stroke->fill);
   add_corners (painter, item);
 }
 
@@ -170,8 +129,11 @@ static void
 add_path (Painter *painter, const SceneItem *item)
 {
   const uint32_t style = painter_number_style (painter, item);
+  const Style *look = &painter->drawing->styles[style];
+  const bool may_lack
+      = painter->drawing->is_sketch && painter->depth == DEPTH_HULL_FAR;
 
-  if (painter->drawing->styles[style].line.alpha > 0)
+  if (look->line.alpha > (may_lack ? FAINT / look->width : 0))
     painter_trace (painter, item, STROKE_LINE, style);
 }
 
@@ -283,11 +245,10 @@ add_bodies (Painter *painter, const PaintOrder *order, uint32_t layer)
 static void
 add_stock (Painter *painter)
 {
-  HiddenCorners *hidden = hidden_corners_new (painter);
   PaintOrder order;
   uint32_t layer;
 
-  painter->hidden = hidden;
+  painter_find_hidden (painter);
   paint_order_init (&order, painter, NULL, painter->scene->stock.n_items);
   for (layer = 0; layer < N_PAINT_LAYERS; layer++) {
     const SceneDepth depth = paint_layer_depth (layer);
@@ -299,7 +260,6 @@ add_stock (Painter *painter)
   }
   paint_order_clear (&order);
   painter->hidden = NULL;
-  hidden_corners_free (hidden);
 }
 
 /* How large marks and lines may be, that one can still tell them apart where
@@ -311,6 +271,38 @@ size_in_crowd (const Painter *painter)
   const uint32_t n_sites = painter->scene->stock.n_sites;
 
   return CLAMP (sqrt (area / MAX (n_sites, 1)) / ROOMY_PX, SIZE_LEAST, 1);
+}
+
+static void
+begin_stock (Painter *painter)
+{
+  Drawing *drawing = painter->drawing;
+
+  drawing_begin (drawing, painter->projection, painter->theme, NULL);
+  drawing->is_sketch
+      = painter->is_hasty && painter->scene->stock.n_items >= MANY_ITEMS;
+  drawing->size = size_in_crowd (painter);
+  if (drawing->sorts == NULL)
+    drawing->sorts = memory_new (N_PAINTER_SORTS, sizeof *drawing->sorts);
+  memset (drawing->sorts, 0, N_PAINTER_SORTS * sizeof *drawing->sorts);
+  painter->sorts = drawing->sorts;
+  painter->lamp = painter_lamp (painter->projection);
+  painter->is_plain = true;
+}
+
+/* Returns: whether strokes were taken from the drawing before. */
+static bool
+set_stock (Painter *painter)
+{
+  begin_stock (painter);
+  if (!painter_take_styles (painter))
+    painter->before = NULL;
+  add_stock (painter);
+  if (painter->scene->stock.n_labels > 0)
+    painter_add_names (painter);
+  painter_compare_rest (painter);
+  free (painter->corners);
+  return painter->before != NULL;
 }
 
 bool
@@ -325,24 +317,10 @@ drawing_set_stock_again (Drawing *drawing,
                       .scene = scene,
                       .projection = projection,
                       .theme = theme,
-                      .is_plain = true,
                       .before = before,
                       .changed = changed };
 
-  drawing_begin (drawing, projection, theme, NULL);
-  drawing->size = size_in_crowd (&painter);
-  if (drawing->sorts == NULL)
-    drawing->sorts = memory_new (N_PAINTER_SORTS, sizeof *drawing->sorts);
-  memset (drawing->sorts, 0, N_PAINTER_SORTS * sizeof *drawing->sorts);
-  painter.sorts = drawing->sorts;
-  if (!painter_take_styles (&painter))
-    painter.before = NULL;
-  add_stock (&painter);
-  if (scene->stock.n_labels > 0)
-    painter_add_names (&painter);
-  painter_compare_rest (&painter);
-  free (painter.corners);
-  return painter.before != NULL;
+  return set_stock (&painter);
 }
 
 void
@@ -354,18 +332,23 @@ drawing_set_stock (Drawing *drawing,
   drawing_set_stock_again (drawing, NULL, scene, projection, theme, NULL);
 }
 
+/* Sets the stock that @painter is for, or both it and what is lit. */
 static void
-set_lit (Drawing *drawing,
-         const Scene *scene,
-         const Projection *projection,
-         const Theme *theme)
+set (Painter *painter)
 {
-  Drawing *stock = drawing_new (drawing->names);
-  LitDrawing *light = lit_drawing_new (drawing->names);
+  Drawing *drawing = painter->drawing, *stock;
+  LitDrawing *light;
 
-  drawing_set_stock (stock, scene, projection, theme);
-  lit_drawing_set (light, stock, scene, projection, NULL);
-  lit_drawing_merge (light, stock, scene, NULL, stock->n_strokes, drawing);
+  if (!scene_has_light (painter->scene)) {
+    set_stock (painter);
+    return;
+  }
+  painter->drawing = stock = drawing_new (drawing->names);
+  light = lit_drawing_new (drawing->names);
+  set_stock (painter);
+  lit_drawing_set (light, stock, painter->scene, painter->projection, NULL);
+  lit_drawing_merge (light, stock, painter->scene, NULL, stock->n_strokes,
+                     drawing);
   lit_drawing_free (light);
   drawing_free (stock);
 }
@@ -376,10 +359,26 @@ drawing_set (Drawing *drawing,
              const Projection *projection,
              const Theme *theme)
 {
-  if (scene_has_light (scene))
-    set_lit (drawing, scene, projection, theme);
-  else
-    drawing_set_stock (drawing, scene, projection, theme);
+  Painter painter = {
+    .drawing = drawing, .scene = scene, .projection = projection, .theme = theme
+  };
+
+  set (&painter);
+}
+
+void
+drawing_set_sketch (Drawing *drawing,
+                    const Scene *scene,
+                    const Projection *projection,
+                    const Theme *theme)
+{
+  Painter painter = { .drawing = drawing,
+                      .scene = scene,
+                      .projection = projection,
+                      .theme = theme,
+                      .is_hasty = true };
+
+  set (&painter);
 }
 
 static void

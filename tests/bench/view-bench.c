@@ -333,8 +333,8 @@ gl_frame (Views *views)
 {
   const Projection projection = project (views, TRUE);
 
-  drawing_set (gl.drawing, &views->scenes[1], &projection,
-               theme_get (THEME_LIGHT));
+  (gl.target.is_rough ? drawing_set_sketch : drawing_set) (
+      gl.drawing, &views->scenes[1], &projection, theme_get (THEME_LIGHT));
   gl_painter_paint (gl.painter, gl.drawing, &gl.target, NULL);
   glFinish ();
 }
