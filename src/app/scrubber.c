@@ -8,6 +8,9 @@
 #define LABEL_PX 12.0
 #define DOT_REACH_PX 5.0
 
+/* That it needs; it takes what is left. */
+#define WIDTH_PX 160
+
 struct _Scrubber {
   GtkScale parent_instance;
   Session *session;
@@ -25,6 +28,7 @@ typedef struct MarkWalk {
   double px_per_step;
   double tick_px;   /* of the last tick */
   double label_px;  /* where the last label ends */
+  double half_px;   /* half of what the last text takes */
   double end_px;    /* where that of the end begins */
   gboolean is_told; /* that the numbers are those of rounds */
 } MarkWalk;
@@ -52,6 +56,7 @@ add_tick (MarkWalk *walk, guint step, const char *text)
   const gboolean has_label = px - half_px >= walk->label_px + LABEL_PX
                              && px + half_px <= walk->end_px - LABEL_PX;
 
+  walk->half_px = half_px;
   if (px - walk->tick_px < TICK_PX && !has_label)
     return FALSE;
   gtk_scale_add_mark (GTK_SCALE (walk->scale), step, GTK_POS_BOTTOM,
@@ -62,22 +67,42 @@ add_tick (MarkWalk *walk, guint step, const char *text)
   return has_label;
 }
 
+/* Returns: the first round after @round that begins where there is room. Large
+ * sets have many more rounds than there are pixels. */
+static guint
+next_round (const MarkWalk *walk, Session *session, guint round)
+{
+  const double px = MIN (walk->tick_px + TICK_PX,
+                         walk->label_px + LABEL_PX + walk->half_px);
+  const double step = ceil (px / walk->px_per_step);
+  guint found, start;
+
+  if (step >= session_get_n_steps (session))
+    return G_MAXUINT;
+  found = session_get_place_at (session, (guint)step).round;
+  if (session_find_step (session, (Place){ found, PHASE_CHOOSE }, TRUE, &start)
+      && start < step)
+    found++;
+  return MAX (found, round + 1);
+}
+
 /* A round is named where it begins; the first of their numbers says what they
  * are. */
 static void
 add_rounds (MarkWalk *walk, Session *session)
 {
-  guint step;
+  guint round = 1, step;
 
-  for (guint i = 0;
-       session_find_step (session, (Place){ i + 1, PHASE_CHOOSE }, TRUE, &step);
-       i++) {
+  while (walk->px_per_step > 0
+         && session_find_step (session, (Place){ round, PHASE_CHOOSE }, TRUE,
+                               &step)) {
     g_autofree char *text = walk->is_told
-                                ? g_strdup_printf ("%u", i + 1)
-                                : g_strdup_printf (_ ("round %u"), i + 1);
+                                ? g_strdup_printf ("%u", round)
+                                : g_strdup_printf (_ ("round %u"), round);
 
     if (add_tick (walk, step, text))
       walk->is_told = TRUE;
+    round = next_round (walk, session, round);
   }
 }
 
@@ -169,6 +194,17 @@ scrubber_style_updated (GtkWidget *widget)
     return;
   scrubber->letter_px = letter_px;
   queue_marks (scrubber);
+}
+
+/* Marks are put where there is room for them. GtkScale asks for a width that
+ * holds them all side by side, for which there would be more marks. */
+static void
+scrubber_get_preferred_width (GtkWidget *widget, int *minimum, int *natural)
+{
+  GTK_WIDGET_CLASS (scrubber_parent_class)
+      ->get_preferred_width (widget, minimum, natural);
+  *minimum = MIN (*minimum, WIDTH_PX);
+  *natural = MIN (*natural, WIDTH_PX);
 }
 
 /* Not while sizes are being given: marks ask for a new size. */
@@ -305,6 +341,7 @@ static void
 scrubber_class_init (ScrubberClass *class)
 {
   G_OBJECT_CLASS (class)->dispose = scrubber_dispose;
+  GTK_WIDGET_CLASS (class)->get_preferred_width = scrubber_get_preferred_width;
   GTK_WIDGET_CLASS (class)->size_allocate = scrubber_size_allocate;
   GTK_WIDGET_CLASS (class)->style_updated = scrubber_style_updated;
   GTK_WIDGET_CLASS (class)->query_tooltip = scrubber_query_tooltip;
