@@ -156,6 +156,16 @@ canvas_input_give_up (Canvas *canvas)
   get_input (canvas)->mode = DRAG_GIVEN_UP;
 }
 
+gboolean
+canvas_input_cancel (Canvas *canvas)
+{
+  if (get_input (canvas)->mode != DRAG_OBJECT)
+    return FALSE;
+  session_cancel_edit (canvas_get_session (canvas));
+  canvas_input_give_up (canvas);
+  return TRUE;
+}
+
 static void
 on_drag_cancel (GtkGesture *gesture, GdkEventSequence *sequence, Canvas *canvas)
 {

@@ -30,6 +30,11 @@ canvas_input_attach (Canvas *canvas,
 /* What was pressed is no click and no drag: another gesture has it. */
 void canvas_input_give_up (Canvas *canvas);
 
+/* What is being dragged goes back to where it was.
+ *
+ * Returns: FALSE when nothing is. */
+gboolean canvas_input_cancel (Canvas *canvas);
+
 G_END_DECLS
 
 #endif

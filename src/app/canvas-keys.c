@@ -1,6 +1,7 @@
 #include "canvas-keys.h"
 
 #include "answer-objects.h"
+#include "canvas-input.h"
 #include "canvas-menu.h"
 #include "site-edit.h"
 
@@ -109,7 +110,8 @@ canvas_key_press (GtkWidget *widget, GdkEventKey *event)
       || zoom_by_key (canvas, event->keyval))
     return TRUE;
   if (event->keyval == GDK_KEY_Escape) {
-    canvas_set_cursor (canvas, (Object){ OBJECT_NONE, 0 });
+    if (!canvas_input_cancel (canvas))
+      canvas_set_cursor (canvas, (Object){ OBJECT_NONE, 0 });
     return TRUE;
   }
   if (is_return (event->keyval)) {
