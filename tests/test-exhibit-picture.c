@@ -59,9 +59,8 @@ play (const Case *what)
 }
 
 static cairo_surface_t *
-paint (const Case *what)
+paint_session (Session *session)
 {
-  g_autoptr (Session) session = play (what);
   cairo_surface_t *surface;
   Picture picture;
   cairo_t *cr;
@@ -76,6 +75,14 @@ paint (const Case *what)
   cairo_destroy (cr);
   cairo_surface_flush (surface);
   return surface;
+}
+
+static cairo_surface_t *
+paint (const Case *what)
+{
+  g_autoptr (Session) session = play (what);
+
+  return paint_session (session);
 }
 
 static void
@@ -120,6 +127,60 @@ test_another_step_is_another_picture (void)
   cairo_surface_destroy (diff);
 }
 
+static guint
+count_pixels (cairo_surface_t *a, cairo_surface_t *b)
+{
+  cairo_surface_t *diff = cairo_image_surface_create (
+      CAIRO_FORMAT_RGB24, cairo_image_surface_get_width (a),
+      cairo_image_surface_get_height (a));
+  const guint n = look_compare (a, b, 0, diff);
+
+  cairo_surface_destroy (diff);
+  return n;
+}
+
+/* Some layers show something only of what a person points at; the Voronoi
+ * diagram takes the place of what the tangent planes are from above. */
+static void
+check_layer (Session *session, Layer layer)
+{
+  const gboolean is_always = layer != LAYER_WHY && layer != LAYER_PREVIEW;
+  g_autofree char *name = g_strconcat ("layer-", layer_name (layer), NULL);
+  const gboolean is_enabled = action_is_enabled (action_find (name), session);
+  const guint layers = session_get_look (session)->layers;
+  const guint others
+      = layer == LAYER_TANGENTS ? layers & ~(guint)LAYER_VORONOI : layers;
+  cairo_surface_t *with, *without;
+  guint n;
+
+  session_set_layers (session, others | layer);
+  with = paint_session (session);
+  session_set_layers (session, others & ~(guint)layer);
+  without = paint_session (session);
+  session_set_layers (session, layers);
+  n = count_pixels (with, without);
+  if (is_enabled ? is_always && n == 0 : n > 0)
+    g_error ("%s: %u pixels", name, n);
+  cairo_surface_destroy (with);
+  cairo_surface_destroy (without);
+}
+
+static void
+test_layers_can_be_chosen_where_they_are_seen (void)
+{
+  static const guint which[] = { 3, 4, 5, 6 };
+
+  for (guint i = 0; i < G_N_ELEMENTS (which); i++) {
+    g_autoptr (Session) session = play (&cases[which[i]]);
+
+    for (guint bit = 0; bit < N_LAYERS; bit++)
+      check_layer (session, (Layer)(1u << bit));
+    session_set_compares_space (session, TRUE);
+    for (guint bit = 0; bit < N_LAYERS; bit++)
+      check_layer (session, (Layer)(1u << bit));
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -128,5 +189,7 @@ main (int argc, char **argv)
                    test_pictures_look_like_the_references);
   g_test_add_func ("/exhibit-picture/another-step-is-another-picture",
                    test_another_step_is_another_picture);
+  g_test_add_func ("/exhibit-picture/layers-can-be-chosen-where-they-are-seen",
+                   test_layers_can_be_chosen_where_they_are_seen);
   return g_test_run ();
 }

@@ -249,6 +249,42 @@ on_main_wanted (GtkToggleButton *button, GMenu *recent)
     window_recent_fill (recent);
 }
 
+/* Why some layers cannot be chosen, or NULL: all of them can. */
+static const char *
+missing_layers (Session *session)
+{
+  switch (session_get_exhibit_kind (session)) {
+  case EXHIBIT_LIFTS:
+    return NULL;
+  case EXHIBIT_COMPARE:
+    return session_get_compares_space (session)
+               ? NULL
+               : _ ("Two planes: nothing in space");
+  case EXHIBIT_PLANAR:
+  case EXHIBIT_ROUNDED:
+    return _ ("In the plane: names only");
+  case EXHIBIT_SIGNS:
+    return _ ("A sign map has no layers");
+  }
+  return NULL;
+}
+
+/* The layers are the first section. */
+static void
+on_exhibit (Session *session, guint changes, GMenu *view_menu)
+{
+  g_autoptr (GMenuModel) layers = NULL;
+  g_autoptr (GMenuItem) item = NULL;
+
+  if ((changes & CHANGED_EXHIBIT) == 0)
+    return;
+  layers = g_menu_model_get_item_link (G_MENU_MODEL (view_menu), 0,
+                                       G_MENU_LINK_SECTION);
+  item = g_menu_item_new_section (missing_layers (session), layers);
+  g_menu_remove (view_menu, 0);
+  g_menu_insert_item (view_menu, 0, item);
+}
+
 void
 window_menus_init (Hull2vdWindow *window)
 {
@@ -258,6 +294,8 @@ window_menus_init (Hull2vdWindow *window)
   g_autoptr (GMenu) lessons = g_menu_new ();
 
   append_looks (G_MENU (view_menu));
+  g_signal_connect_object (window->session, "changed", G_CALLBACK (on_exhibit),
+                           view_menu, 0);
   gtk_menu_button_set_menu_model (window->main_button, main_menu);
   gtk_menu_button_set_menu_model (window->view_button, view_menu);
   gtk_menu_button_set_menu_model (window->lessons_button,

@@ -38,6 +38,7 @@ typedef enum Layer {
 } Layer;
 
 #define N_LAYERS 11
+#define LAYERS_ALL ((1 << N_LAYERS) - 1)
 #define LAYERS_DEFAULT                                                         \
   (LAYER_HULL | LAYER_PARABOLOID | LAYER_DELAUNAY | LAYER_VORONOI              \
    | LAYER_LIFTS | LAYER_LABELS | LAYER_PREVIEW)

@@ -46,6 +46,11 @@ ACTION_RUN (action_show)
   return TRUE;
 }
 
+ACTION_ENABLED (action_can_toggle_layer)
+{
+  return (session_get_usable_layers (session) & action->data) != 0;
+}
+
 ACTION_RUN (action_toggle_layer)
 {
   session_set_layers (session,

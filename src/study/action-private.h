@@ -139,6 +139,7 @@ ACTION_ENABLED (action_can_back);
 ACTION_ENABLED (action_can_play);
 ACTION_ENABLED (action_can_next_stop);
 ACTION_ENABLED (action_can_previous_stop);
+ACTION_ENABLED (action_can_toggle_layer); /* data: Layer */
 ACTION_ENABLED (action_has_sites);
 ACTION_ENABLED (action_has_selection);
 ACTION_ENABLED (action_has_selected_site);

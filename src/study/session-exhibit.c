@@ -28,6 +28,26 @@ session_get_exhibit (Session *session)
   return session->exhibit;
 }
 
+#define LAYERS_OF_SPACE (LAYER_HULL | LAYER_PARABOLOID | LAYER_LIFTS)
+
+guint
+session_get_usable_layers (Session *session)
+{
+  switch (session->exhibit_kind) {
+  case EXHIBIT_LIFTS:
+    return (guint)LAYERS_ALL;
+  case EXHIBIT_COMPARE:
+    return session->compares_space ? (guint)LAYERS_ALL
+                                   : (guint)(LAYERS_ALL & ~LAYERS_OF_SPACE);
+  case EXHIBIT_PLANAR:
+  case EXHIBIT_ROUNDED:
+    return LAYER_LABELS;
+  case EXHIBIT_SIGNS:
+    return 0;
+  }
+  return 0;
+}
+
 static const Course *
 get_course (Session *session)
 {

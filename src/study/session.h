@@ -209,6 +209,10 @@ void session_set_views (Session *session, Views views);
 Listing session_get_listing (Session *session);
 void session_set_listing (Session *session, Listing listing);
 
+/* Returns: the layers that what is shown has, whether they are on or off; those
+ *          of planes alone, for one, have no hull in space. */
+guint session_get_usable_layers (Session *session);
+
 /* Two runs of the same sites in two orders, in step by round: the session's
  * own, on the left, and another one. */
 void session_compare (Session *session, const Order orders[2]);
