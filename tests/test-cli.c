@@ -27,17 +27,18 @@ static const Row refusals[] = {
   { "export --round 0 -o a.svg square.txt", 1, "square.txt: there are no" },
   { "export --stop 3 -o a.svg good.md", 1, "good.md: there is no stop 3" },
   { "export --stop 1 -o a.svg five.txt", 1, "five.txt: points have no stops" },
-  { "storyboard -o a.svg good.md", 64, "hull2vd-cli: a.svg: a PDF file" },
-  { "handout -o a.png good.md", 64, "hull2vd-cli: a.png: a PDF file" },
+  { "storyboard -o a.svg good.md", 64,
+    "hull2vd-cli: a.svg: the name of a PDF" },
+  { "handout -o a.png good.md", 64, "hull2vd-cli: a.png: the name of a PDF" },
   { "export --stop 0 -o a.svg good.md", 1, "good.md: there is no stop 0" },
-  { "replay broken.md", 2, "broken.md:11:1: “gotto” is no command" },
+  { "replay broken.md", 2, "broken.md:11:1: “gotto” is not a command" },
   { "replay good.md broken.md", 2, "broken.md:11:1: " },
   { "replay far.md", 2, "far.md:11:1: there is no “round 7 see”" },
   { "export -o a.svg broken.md", 2, "broken.md:11:1: " },
   { "storyboard -o a.pdf broken.md", 2, "broken.md:11:1: " },
   { "handout -o a.pdf broken.md", 2, "broken.md:11:1: " },
-  { "handout -o a.pdf five.txt", 1, "five.txt: a handout is made of a lesson" },
-  { "compute", 64, "hull2vd-cli: compute: a file is missing\nusage: " },
+  { "handout -o a.pdf five.txt", 1, "five.txt: a handout needs a lesson" },
+  { "compute", 64, "hull2vd-cli: compute: no file is given\nusage: " },
   { "compute five.txt five.txt", 64, "hull2vd-cli: compute: too many files" },
   { "compute --no-such-option five.txt", 64, "hull2vd-cli: " },
   { "compute --round x five.txt", 64, "hull2vd-cli: --round needs a whole" },
@@ -47,15 +48,18 @@ static const Row refusals[] = {
   { "compute --seed 3 five.txt", 64, "hull2vd-cli: --seed needs --order" },
   { "export --order input -o a.svg good.md", 1,
     "good.md: --order is for points" },
-  { "replay - -", 64, "hull2vd-cli: replay: “-”, the standard input" },
+  { "replay - -", 64, "hull2vd-cli: replay: “-”, standard input" },
   { "trace --detail all five.txt", 64, "hull2vd-cli: there is no detail" },
-  { "replay", 64, "hull2vd-cli: replay: a file is missing\nusage: " },
-  { "export five.txt", 64, "hull2vd-cli: which file to write?" },
-  { "export -o a.gif five.txt", 64, "hull2vd-cli: a.gif: a picture's name" },
+  { "replay", 64, "hull2vd-cli: replay: no file is given\nusage: " },
+  { "export five.txt", 64, "hull2vd-cli: no output file is given" },
+  { "export -o a.gif five.txt", 64,
+    "hull2vd-cli: a.gif: the name of a picture" },
   { "export -o a.svg --view side five.txt", 64, "hull2vd-cli: there is no" },
-  { "export -o a.svg --size 0x0 five.txt", 64, "hull2vd-cli: a size lies" },
-  { "export -o a.svg --size 1000000x1 five.txt", 64, "hull2vd-cli: a size" },
-  { "export -o a.svg --scale 99 five.txt", 64, "hull2vd-cli: a size lies" },
+  { "export -o a.svg --size 0x0 five.txt", 64,
+    "hull2vd-cli: the size must be" },
+  { "export -o a.svg --size 1000000x1 five.txt", 64, "hull2vd-cli: the size" },
+  { "export -o a.svg --scale 99 five.txt", 64,
+    "hull2vd-cli: the size must be" },
   { "export -o a.svg --scale -1 five.txt", 64, "hull2vd-cli: --scale: “-1”" },
   { "export -o a.svg --theme drak five.txt", 64,
     "hull2vd-cli: there is no theme “drak” (did you mean “dark”?)" },
@@ -65,13 +69,14 @@ static const Row refusals[] = {
     "hull2vd-cli: there is no camera “up”" },
   { "export -o a.svg --camera 10,91 five.txt", 64, "hull2vd-cli: --camera: " },
   { "export -o a.svg --line-scale 4 five.txt", 64,
-    "hull2vd-cli: --line-scale: “4” is no number from 0.5 to 3" },
+    "hull2vd-cli: --line-scale: “4” is not a number from 0.5 to 3" },
   { "export -o a.svg --size -5x5 five.txt", 64, "hull2vd-cli: --size WxH" },
   { "export -o a.svg --size 5 five.txt", 64, "hull2vd-cli: write the size" },
-  { "export -o a.svg --event 1 --round 1 five.txt", 64, "hull2vd-cli: write" },
+  { "export -o a.svg --event 1 --round 1 five.txt", 64,
+    "hull2vd-cli: use only" },
   { "actions x", 64, "hull2vd-cli: actions: too many files" },
   { "dance", 64, "hull2vd-cli: there is no command “dance”\nusage: " },
-  { "", 64, "hull2vd-cli: which command?\nusage: " },
+  { "", 64, "hull2vd-cli: no command is given\nusage: " },
   { "compute none.txt", 66, "none.txt: No such file or directory\n" },
   { "compute .", 66, ".: Is a directory\n" },
   { "trace none.txt", 66, "none.txt: No such file" },
@@ -389,7 +394,7 @@ test_count_agrees_with_the_trace (void)
   }
   created = g_strdup_printf ("%-28s %12u ", "facets created", n_created);
   claims
-      = g_strdup_printf ("%-28s %12u ", "claims, redistributed too", n_claims);
+      = g_strdup_printf ("%-28s %12u ", "claims and redistributions", n_claims);
   g_assert_nonnull (strstr (counts.out, created));
   g_assert_nonnull (strstr (counts.out, claims));
 }
@@ -399,9 +404,8 @@ test_walking_claims_nothing (void)
 {
   g_auto (ScriptResult) counts = { 0 };
   g_autofree char *no_claim
-      = g_strdup_printf ("%-28s %12u ", "claims, redistributed too", 0);
-  g_autofree char *no_step
-      = g_strdup_printf ("%-28s %12u ", "steps of walks", 0);
+      = g_strdup_printf ("%-28s %12u ", "claims and redistributions", 0);
+  g_autofree char *no_step = g_strdup_printf ("%-28s %12u ", "walk steps", 0);
 
   put_scattered ("scattered.txt");
   script_run (&counts, "count --order hilbert scattered.txt");

@@ -276,7 +276,7 @@ test_any_sites_can_be_performed_on (void)
 
   g_assert_false (
       action_run (session, "perform", g_variant_new_string (""), &error));
-  g_assert_nonnull (strstr (error->message, "add sites, five at least"));
+  g_assert_nonnull (strstr (error->message, "add sites, at least five"));
   act (session, "sites", g_variant_new_string ("random 6 seed 1"));
   act (session, "order", g_variant_new_string ("input"));
   act (session, "perform", g_variant_new_string (""));
@@ -365,7 +365,7 @@ test_own_sites_outlast_a_performance_on_them (void)
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
   undo (session, "return to the lesson’s sites");
   assert_own (session);
-  undo (session, "addition of s8");
+  undo (session, "adding s8");
   g_assert_null (session_get_undo_label (session));
 }
 
@@ -393,14 +393,14 @@ test_own_sites_outlast_fresh_ones (void)
   g_assert_cmpuint (session_get_set (session)->n_sites, !=, 9);
   act (session, "grade", NULL);
   act (session, "another", NULL);
-  undo (session, "generation of sites");
+  undo (session, "generating sites");
   assert_own (session);
   assert_text (session, "performance", "none");
-  undo (session, "addition of s8");
+  undo (session, "adding s8");
 
   act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
   act (session, "perform", g_variant_new_string ("random 7 seed 4"));
-  undo (session, "generation of sites");
+  undo (session, "generating sites");
   assert_own (session);
 }
 
@@ -416,7 +416,7 @@ test_own_sites_outlast_the_performance_of_the_stop (void)
   assert_own (session);
   act (session, "another", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 7);
-  undo (session, "generation of sites");
+  undo (session, "generating sites");
   assert_own (session);
 }
 

@@ -239,12 +239,13 @@ test_one_number_is_asked_for_as_one (void)
 static void
 test_an_option_is_right_for_a_reason_in_words (void)
 {
-  static const char *const reasons[]
-      = { "“in” is right: s7 lies inside the hull in the plane.",
-          ("“out” is wrong: it is not so that s7 lies outside the hull in the "
-           "plane."),
-          "“not in” is wrong: s7 lies inside the hull in the plane.",
-          "“many” is right (facets of the hull: 12, sites: 8)." };
+  static const char *const reasons[] = {
+    "“in” is right: s7 lies inside the hull in the plane.",
+    ("“out” is wrong: it is not the case that s7 lies outside the hull in the "
+     "plane."),
+    "“not in” is wrong: s7 lies inside the hull in the plane.",
+    "“many” is right (facets of the hull: 12, sites: 8)."
+  };
   static const char asked[]
       = ASK ("complete\nchoose several\noption in if inside s7\n"
              "option out if outside s7\noption not in if not inside s7\n"
@@ -373,7 +374,7 @@ test_another_on_own_sites_can_be_undone (void)
   act (session, "show-answer", NULL);
   act (session, "another", NULL);
   g_assert_cmpstr (session_get_undo_label (session), ==,
-                   "Undo generation of sites");
+                   "Undo generating sites");
   act (session, "undo", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 9);
 }

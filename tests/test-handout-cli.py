@@ -261,14 +261,14 @@ def what_cannot_be_is_refused():
                       "```steps\njump\n```\n", encoding="utf-8")
     out = folder / "never.pdf"
     for status, words, arguments in (
-            (64, "which file to write", (INSIDE,)),
-            (64, "a file is missing", ("-o", out)),
+            (64, "no output file is given", (INSIDE,)),
+            (64, "no file is given", ("-o", out)),
             (64, "there is no paper “a5”; the papers are a4, letter",
              ("--paper", "a5", "-o", out, INSIDE)),
             (64, "there is no theme “red”", ("--theme", "red", "-o", out, INSIDE)),
             (66, "nowhere.md", ("-o", out, folder / "nowhere.md")),
             (2, "broken.md:11:1: ", ("-o", out, broken)),
-            (1, "points.txt: a handout is made of a lesson", ("-o", out, points)),
+            (1, "points.txt: a handout needs a lesson", ("-o", out, points)),
             (73, "out.pdf", ("-o", folder / "nowhere" / "out.pdf", INSIDE)),
             (73, "/dev/full", ("-o", "/dev/full", INSIDE))):
         process = run(CLI, "handout", *arguments)

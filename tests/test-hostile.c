@@ -384,7 +384,7 @@ test_lint_tells_all_and_writes_nothing (void)
   g_auto (GStrv) lines = NULL;
   static const char *const told[] = {
     "l.md:6:1: a lesson block has no “viws” (did you mean “views”?)",
-    "l.md:12:1: “nxt” is no command (did you mean “next”?)",
+    "l.md:12:1: “nxt” is not a command (did you mean “next”?)",
     "l.md:13:1: there is no “round 7 see”: the last round is 1",
     "l.md:14:1: there is no layer “hll” (did you mean “hull”?)",
     "l.md:21:7: nothing called “horizn” can be clicked (did you mean",

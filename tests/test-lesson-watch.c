@@ -241,7 +241,7 @@ static void
 test_what_is_no_file_in_its_place_is_told (void)
 {
   check_fault (put_a_folder, g_strerror (EISDIR));
-  check_fault (put_a_pipe, "no regular file");
+  check_fault (put_a_pipe, "not a regular file");
   check_fault (put_a_loop, g_strerror (ELOOP));
   /* Nothing is forbidden to root. */
   if (geteuid () != 0)

@@ -59,13 +59,13 @@ test_what_was_meant_is_told (void)
 {
   static const Row rows[] = {
     { STEPS ("move s4 1 1"),
-      "l.md:11:1: “move” is no command (did you mean “move site”?)" },
+      "l.md:11:1: “move” is not a command (did you mean “move site”?)" },
     { STEPS ("GOTO complete"),
-      "l.md:11:1: “GOTO” is no command (did you mean “goto”?)" },
+      "l.md:11:1: “GOTO” is not a command (did you mean “goto”?)" },
     { STEPS ("nxt event"),
-      "l.md:11:1: “nxt” is no command (did you mean “next”?)" },
+      "l.md:11:1: “nxt” is not a command (did you mean “next”?)" },
     { STEPS ("expect visible = upper"),
-      "l.md:11:1: expect visible needs a whole number alone: comparisons" },
+      "l.md:11:1: expect visible takes only a whole number: comparisons" },
     { STEPS ("expect visible x"),
       "l.md:11:1: expect visible needs a whole number" },
     { STEPS ("opacity upper-facets 0"),
@@ -76,7 +76,7 @@ test_what_was_meant_is_told (void)
       "“visible-facets”?)" },
     { LECTURE "## S\n\n```steps\ngoto complete\n```\n\n"
               "## T\n\n```ask\nbefore round 2 see\nclick horizon\n```\n",
-      "l.md:16:1: this gives the answer away: the stop of line 8 has shown" },
+      "l.md:16:1: this gives the answer away: the stop on line 8 has shown" },
   };
 
   check_rows (rows, G_N_ELEMENTS (rows), TRUE);
@@ -86,7 +86,7 @@ static void
 test_what_could_be_better_is_told (void)
 {
   static const Row rows[] = {
-    { STEPS ("goto complete"), "l.md:8:1: warning: nothing is expected" },
+    { STEPS ("goto complete"), "l.md:8:1: warning: this stop expects nothing" },
     { STEPS ("goto complete\nexpect sites 5"),
       "l.md:1:1: warning: there is nothing to do" },
     { STOP "> note: for me alone\n", "l.md:8:1: warning: students read" },

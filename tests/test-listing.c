@@ -70,7 +70,7 @@ test_only_what_runs_has_a_line (void)
     if (kind == EVENT_CONE)
       g_assert_cmpstr (text, ==, "add the facet of the ridge and p to CH(P)");
     if (kind == EVENT_RETIRE)
-      g_assert_cmpstr (text, ==, "take the facets of F off CH(P)");
+      g_assert_cmpstr (text, ==, "remove the facets of F from CH(P)");
   }
 }
 

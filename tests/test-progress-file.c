@@ -39,7 +39,7 @@ test_a_file_that_is_broken_or_newer_is_kept_and_told_once (void)
 {
   check_kept ("", "JSON");
   check_kept ("{\"format\": 1,\n\"a\": 2,\n\"b\": oops", ":3: ");
-  check_kept ("[]", "no object");
+  check_kept ("[]", "not an object");
   check_kept ("{}", "“format”");
   check_kept ("{\"format\": \"1\"}", "“format”");
   check_kept ("{\"format\": 2, \"all\": \"else\"}", "newer");

@@ -47,7 +47,7 @@ static const Row questions[] = {
   { ASK ("before round 1 see"), "l.md:10:1: what is asked?" },
   { ASK ("click horizon"), "l.md:10:1: where is it asked?" },
   { ASK ("before round 1 sea\nclick horizon"),
-    "l.md:11:1: “before round 1 sea” is no position" },
+    "l.md:11:1: “before round 1 sea” is not a position" },
   { ASK ("before round 9 see\nclick horizon"),
     "l.md:10:1: there is no “before round 9 see”: the last round is 4" },
   { ASK ("complete\nclick horizon"),
@@ -61,7 +61,7 @@ static const Row questions[] = {
   { ASK ("simplex\nclick outside-set s1"), "l.md:12:19: of which facet?" },
   { ASK ("simplex\nclick outside-set f3"), "l.md:10:1: the answer is empty" },
   { ASK ("simplex\nclick outside-set f9"),
-    "l.md:10:1: f9 is no facet of the hull at this place" },
+    "l.md:10:1: f9 is not a facet of the hull at this place" },
   { ASK ("simplex\nclick outside-set f999"),
     "l.md:10:1: there is no facet f999" },
   { ASK ("simplex\nclick facets-seen-by s9"),
@@ -86,7 +86,7 @@ static const Row questions[] = {
   { ASK ("before round 1 see\nchoose\noption a if tie\noption b if not tie"),
     "l.md:12:7: write choose one, or choose several" },
   { ASK ("before round 1 see\nchoose one\noption a if tie"),
-    "l.md:10:1: there must be two options" },
+    "l.md:10:1: there must be at least two options" },
   { ASK ("before round 1 see\nchoose one\noption a\noption b if tie"),
     "l.md:13:8: an option says when it is right" },
   { ASK ("complete\nchoose one\noption a if flip\noption b if tie"),
@@ -102,7 +102,7 @@ static const Row questions[] = {
   { ASK ("complete\ndrag f3 until flip"), "l.md:12:6: which site?" },
   { ASK ("complete\ndrag s3 flip"), "l.md:12:9: until what?" },
   { ASK ("complete\ndrag s3 until flop"),
-    "l.md:12:15: no condition can speak of “flop” (did you mean “flip”?)" },
+    "l.md:12:15: a condition cannot use “flop” (did you mean “flip”?)" },
   { ASK ("complete\ndrag s30 until flip"), "l.md:10:1: there is no site s30" },
   { ASK ("complete\ndrag s3 until unbounded s3"),
     "l.md:10:1: “unbounded s3” holds before anything is moved" },
@@ -121,7 +121,7 @@ static const Row questions[] = {
   { LECTURE "```ask\nround 1\n```\n\n## S\n",
     "l.md:8:1: an ask block belongs to a stop" },
   { ASK ("complete\ndrag s7 until tie") "\n```ask\n```\n",
-    "l.md:15:1: a second question in this stop; the first is in line 10" },
+    "l.md:15:1: a second question in this stop; the first is on line 10" },
   { LECTURE "## S\n\n> ```ask\n> complete\n> ```\n",
     "l.md:10:1: a ask block stands by itself" },
   { ASK ("start\nperform"), "l.md:12:8: how many insertions?" },
@@ -142,7 +142,7 @@ static const Row questions[] = {
   { ASK ("start\nclick horizon\nfresh random 7 seed 1"),
     "l.md:10:1: fresh sites belong to perform" },
   { ASK ("start\nperform 1\nhint x"),
-    "l.md:10:1: a performance asks and helps by itself" },
+    "l.md:10:1: a performance has its own prompts" },
   { NULL, NULL },
 };
 
@@ -161,7 +161,7 @@ static const Row leaks[] = {
     "l.md:10:1: this gives the answer away" },
   { LECTURE "## S\n\n```steps\ngoto round 1 see\n```\n\n## T\n\n"
             "```ask\nbefore round 1 see\nclick visible-facets\n```\n",
-    "l.md:16:1: this gives the answer away: the stop of line 8 has shown these "
+    "l.md:16:1: this gives the answer away: the stop on line 8 has shown these "
     "sites beyond “before round 1 see”" },
   { LECTURE "## S\n\n```steps\ngoto complete\n```\n\n"
             "## T\n\n```steps\ngoto start\n```\n\n"

@@ -246,7 +246,7 @@ def judge(item):
     del position
     if ask == "order phases":
         check([o.split()[0] for o in item.order]
-              == ["choose", "find", "find", "build", "retire,"], "phases")
+              == ["choose", "find", "find", "build", "retire"], "phases")
         return
     scene = None if ask.startswith("always") else Scene(item.given)
     if ask.startswith("number"):

@@ -73,8 +73,7 @@ test_several_move_as_one_edit (void)
   session_end_edit (session);
   assert_sites (session, moved, 5);
   assert_selected (session, "s1 s3");
-  g_assert_cmpstr (session_get_undo_label (session), ==,
-                   "Undo move of 2 sites");
+  g_assert_cmpstr (session_get_undo_label (session), ==, "Undo moving 2 sites");
   session_undo (session);
   assert_sites (session, five, 5);
 }
@@ -91,7 +90,7 @@ test_several_go_as_one_edit (void)
   assert_sites (session, left, 3);
   assert_selected (session, "");
   g_assert_cmpstr (session_get_undo_label (session), ==,
-                   "Undo deletion of 2 sites");
+                   "Undo deleting 2 sites");
   session_undo (session);
   assert_sites (session, five, 5);
   session_redo (session);

@@ -113,12 +113,12 @@ test_a_drag_is_one_edit (void)
   for (int i = 1; i <= 10; i++)
     session_move_site (session, 3, (Site){ -0.9375, 0.5625 + i / 64.0 }, NULL);
   session_end_edit (session);
-  g_assert_cmpstr (session_get_undo_label (session), ==, "Undo move of s3");
+  g_assert_cmpstr (session_get_undo_label (session), ==, "Undo moving s3");
 
   g_assert_true (session_undo (session));
   back = site_set_given (session_get_set (session), 3);
   g_assert_cmpfloat (back.y, ==, 0.5625);
-  g_assert_cmpstr (session_get_redo_label (session), ==, "Redo move of s3");
+  g_assert_cmpstr (session_get_redo_label (session), ==, "Redo moving s3");
   g_assert_true (session_redo (session));
   back = site_set_given (session_get_set (session), 3);
   g_assert_cmpfloat (back.y, ==, 0.5625 + 10 / 64.0);
@@ -151,7 +151,7 @@ test_every_edit_can_be_undone (void)
   session_remove_site (session, 0, NULL);
   session_set_sites (session, NULL, 0, NULL);
   g_assert_cmpstr (session_get_undo_label (session), ==,
-                   "Undo removal of all sites");
+                   "Undo deleting all sites");
 
   for (guint i = 0; i < 5; i++)
     g_assert_true (session_undo (session));
@@ -225,7 +225,7 @@ test_coordinates_out_of_range_change_nothing (void)
   g_assert_error (error, SESSION_ERROR, SESSION_ERROR_RANGE);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
   g_assert_cmpstr (session_get_undo_label (session), ==,
-                   "Undo replacement of all sites");
+                   "Undo replacing all sites");
   session_set_preview (session, &(const Site){ 0x1p400, 1 });
   g_assert_false (session_get_look (session)->has_preview);
 }

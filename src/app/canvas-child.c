@@ -191,7 +191,7 @@ static const struct {
   { "select", N_ ("Select it"), do_select },
   { "menu", N_ ("Show what can be done with it"), do_menu },
   /* From here on: sites alone. */
-  { "join", N_ ("Select it beside the others, or let it go"), do_join },
+  { "join", N_ ("Add it to the selection, or remove it"), do_join },
   { "delete", N_ ("Delete it"), do_delete },
 };
 

@@ -74,7 +74,7 @@ add_space (GMenu *menu)
   append (section, _ ("Look _Up"), "win.camera-look-up");
   append (section, _ ("Look _Down"), "win.camera-look-down");
   append (section, _ ("From the S_ide"), "win.camera-side");
-  append (section, _ ("_Window of Its Own"), "win.detach-space");
+  append (section, _ ("In a Separate _Window"), "win.detach-space");
   g_menu_append_section (menu, NULL, G_MENU_MODEL (section));
 }
 

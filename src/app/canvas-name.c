@@ -23,7 +23,7 @@ site_state_text (SiteState state)
   case SITE_WAITING:
     return _ ("waiting");
   case SITE_OUTSIDE:
-    return _ ("in the outside set in hand");
+    return _ ("in the current outside set");
   case SITE_APEX:
     return _ ("the new site");
   case SITE_INSERTED:

@@ -186,7 +186,7 @@ static void
 tell_trouble (CanvasShow *show, const GError *error)
 {
   g_free (show->trouble);
-  show->trouble = g_strdup_printf (_ ("Space is painted without OpenGL: %s"),
+  show->trouble = g_strdup_printf (_ ("Space is drawn without OpenGL: %s"),
                                    error->message);
   if (show->trouble_source == 0)
     show->trouble_source = g_idle_add (on_trouble, show);

@@ -82,7 +82,7 @@ on_activate (GtkEntry *entry, CoordinateEntry *self)
   Site site;
 
   if (text[strspn (text, " \t")] == '\0') {
-    say_fault (self, _ ("write two numbers, as 0.5 -1.25"));
+    say_fault (self, _ ("type two numbers, such as 0.5 -1.25"));
     return;
   }
   fault = site_file_parse_line (text, strlen (text), &site);

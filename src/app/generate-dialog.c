@@ -206,10 +206,9 @@ on_draw (GtkWidget *widget, cairo_t *cr, GenerateDialog *self)
 static void
 take_sites (GenerateDialog *self)
 {
-  g_autofree char *edit
-      = g_strdup_printf (ngettext ("generation of %u site",
-                                   "generation of %u sites", self->n_sites),
-                         self->n_sites);
+  g_autofree char *edit = g_strdup_printf (
+      ngettext ("generating %u site", "generating %u sites", self->n_sites),
+      self->n_sites);
 
   session_replace_sites (self->session, self->sites, self->n_sites, edit, NULL);
 }

@@ -198,7 +198,7 @@ name_controls (HandoutDialog *dialog)
     { dialog->contents, _ ("Contents") },
     { dialog->theme, _ ("Theme") },
     { dialog->paper, _ ("Paper") },
-    { dialog->page, _ ("Page that is shown") },
+    { dialog->page, _ ("Page shown") },
   };
 
   for (guint i = 0; i < G_N_ELEMENTS (rows); i++)

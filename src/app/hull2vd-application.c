@@ -215,7 +215,7 @@ hull2vd_application_init (Hull2vdApplication *application)
   GApplication *app = G_APPLICATION (application);
 
   g_application_add_main_option (app, "version", 0, G_OPTION_FLAG_NONE,
-                                 G_OPTION_ARG_NONE, N_ ("Say the version"),
+                                 G_OPTION_ARG_NONE, N_ ("Print the version"),
                                  NULL);
   g_application_set_option_context_parameter_string (app,
                                                      _ ("[LESSON|POINTS…]"));

@@ -51,15 +51,14 @@ show_freedom (LessonPanel *panel)
 {
   set_prose (panel->intro, "");
   gtk_label_set_text (panel->title, _ ("Your own sites"));
-  set_prose (
-      panel->text,
-      _ ("**Click** in the plane to add a site; inside a triangle, "
-         "**double-click**. **Drag** a site to move it: hull, triangles "
-         "and cells follow. **Right-click** for more, as coordinates.\n\n"
-         "Click a site, a triangle or a facet to see its counterparts in both "
-         "pictures, with **Shift** several sites. **Delete** removes "
-         "them.\n\n"
-         "Then step through QuickHull below, or open a lesson at the top."));
+  set_prose (panel->text,
+             _ ("**Click** in the plane to add a site; inside a triangle, "
+                "**double-click**. **Drag** a site to move it: hull, triangles "
+                "and cells follow. **Right-click** for more, such as "
+                "coordinates.\n\nClick a site, a triangle or a facet to see "
+                "its counterparts in both pictures; **Shift**+click selects "
+                "several sites. **Delete** removes them.\n\nThen step through "
+                "QuickHull below, or open a lesson at the top."));
 }
 
 /* Where the person was another time is offered, not gone to. */
@@ -74,7 +73,7 @@ show_resume (LessonPanel *panel)
                           session_can_resume (panel->session, &stop));
   if (!session_can_resume (panel->session, &stop))
     return;
-  text = g_strdup_printf (_ ("Go on at stop %u: %s"), stop + 1,
+  text = g_strdup_printf (_ ("Resume at stop %u: %s"), stop + 1,
                           lesson_stop (lesson, stop)->title);
   gtk_label_set_text (panel->resume_title, text);
   tooltips_set (panel->resume, "resume", text);
@@ -111,7 +110,7 @@ lesson_panel_set_faults (LessonPanel *panel, const LessonFaults *faults)
   if (n > MOST_FAULTS)
     g_string_append_printf (text, _ ("and %u more\n"), n - MOST_FAULTS);
   if (n > 0)
-    g_string_append (text, _ ("The lesson runs on as it was before."));
+    g_string_append (text, _ ("The lesson continues as it was before."));
   gtk_label_set_text (panel->faults, text->str);
   gtk_widget_set_visible (GTK_WIDGET (panel->faults), n > 0);
 }

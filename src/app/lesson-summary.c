@@ -45,9 +45,9 @@ outcome_text (Outcome outcome)
 {
   switch (outcome) {
   case OUTCOME_AT_ONCE:
-    return _ ("right at once");
+    return _ ("right first time");
   case OUTCOME_AFTER_HELP:
-    return _ ("right after help");
+    return _ ("right with help");
   case OUTCOME_SHOWN:
     return _ ("shown");
   case OUTCOME_OPEN:

@@ -78,7 +78,7 @@ verdict_text (const Exercise *exercise)
   if (exercise->is_open)
     return g_strdup (verdict->wrong > 0 || verdict->reasons->len > 0
                          ? _ ("✗ Not right")
-                         : _ ("Right so far, but not all"));
+                         : _ ("Right so far, but not complete"));
   return g_strdup_printf (_ ("✗ %u of %u right"),
                           MIN (verdict->right, verdict->total), verdict->total);
 }

@@ -83,10 +83,10 @@ tell (ResultsDialog *dialog, const Progress *progress)
     n_lessons += n > 0;
   }
   text = g_strdup_printf (
-      ngettext ("%u answer, of %u lesson. Nothing is sent anywhere: you choose "
-                "where the file is put.",
+      ngettext ("%u answer, from %u lesson. Nothing is sent anywhere: you "
+                "choose where the file is saved.",
                 "%u answers; lessons: %u. Nothing is sent anywhere: you choose "
-                "where the file is put.",
+                "where the file is saved.",
                 n_answered),
       n_answered, n_lessons);
   gtk_label_set_text (dialog->summary, text);
@@ -122,7 +122,7 @@ results_dialog_init (ResultsDialog *dialog)
   gtk_widget_init_template (GTK_WIDGET (dialog));
   gtk_combo_box_set_active (dialog->format, 0);
   atk_object_set_name (gtk_widget_get_accessible (GTK_WIDGET (dialog->format)),
-                       _ ("Form"));
+                       _ ("Format"));
   atk_object_set_name (gtk_widget_get_accessible (GTK_WIDGET (dialog->name)),
                        _ ("Name"));
   gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT);

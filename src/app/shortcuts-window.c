@@ -83,18 +83,18 @@ add_view_keys (GtkWidget *section)
   GtkContainer *group = GTK_CONTAINER (add_group (section, _ ("In a picture")));
 
   add_shortcut (group, "Tab <Shift>Tab",
-                _ ("Go to the next, previous site or facet"));
+                _ ("Go to the next or previous site or facet"));
   add_shortcut (group, "<Primary>Tab", _ ("Leave the picture"));
   add_shortcut (group, "Left Right Up Down",
                 _ ("Move the site, and all that are selected with it"));
   add_shortcut (group, "Return", _ ("Add a site, or select the one in focus"));
   add_shortcut (group, "<Primary>Return",
-                _ ("Select the site in focus beside the others"));
+                _ ("Add the site in focus to the selection, or remove it"));
   add_shortcut (group, "Menu <Shift>F10", _ ("Show what can be done with it"));
   add_shortcut (group, "Insert", _ ("Add a site in the middle"));
-  add_shortcut (group, "plus minus", _ ("Zoom in, out"));
+  add_shortcut (group, "plus minus", _ ("Zoom in or out"));
   add_shortcut (group, "<Shift>Left <Shift>Right <Shift>Up <Shift>Down",
-                _ ("Move the plane, turn space"));
+                _ ("Move the plane or turn space"));
 }
 
 static void
@@ -126,9 +126,9 @@ add_mouse (GtkWidget *section)
     { N_ ("Move a site, and all that are selected with it"), N_ ("Drag it") },
     { N_ ("Show what can be done"), N_ ("Right-click") },
     { N_ ("Move the plane"),
-      N_ ("Drag beside the sites, or with the middle or right button") },
+      N_ ("Drag away from the sites, or with the middle or right button") },
     { N_ ("Turn space"), N_ ("Drag") },
-    { N_ ("Zoom"), N_ ("Turn the wheel") },
+    { N_ ("Zoom"), N_ ("Scroll") },
   };
   static const struct {
     const char *what, *how;
@@ -161,7 +161,7 @@ add_touch (GtkWidget *section)
   add_gesture (group, GTK_SHORTCUT_GESTURE, _ ("Move the picture"),
                _ ("Drag with two fingers"));
   add_gesture (group, GTK_SHORTCUT_GESTURE, _ ("Show what can be done"),
-               _ ("Press long"));
+               _ ("Press and hold"));
 }
 
 static GtkWidget *

@@ -13,8 +13,8 @@ static const struct {
 } words[] = {
   [ASK_CLOSE]
   = { N_ ("Save the sites before closing?"), N_ ("Close _without Saving") },
-  [ASK_NEW] = { N_ ("Save the sites before beginning anew?"),
-                N_ ("Begin _without Saving") },
+  [ASK_NEW] = { N_ ("Save the sites before starting over?"),
+                N_ ("Start Over _without Saving") },
   [ASK_OPEN] = { N_ ("Save the sites before opening others?"),
                  N_ ("Open _without Saving") },
 };
@@ -65,7 +65,7 @@ show_question (Hull2vdWindow *window, AskWhy why)
       GTK_MESSAGE_QUESTION, GTK_BUTTONS_NONE, "%s", _ (words[why].question));
 
   gtk_message_dialog_format_secondary_text (GTK_MESSAGE_DIALOG (dialog),
-                                            _ ("Otherwise they are lost."));
+                                            _ ("Unsaved sites will be lost."));
   gtk_dialog_add_buttons (GTK_DIALOG (dialog), _ (words[why].discard),
                           GTK_RESPONSE_REJECT, _ ("_Cancel"),
                           GTK_RESPONSE_CANCEL, _ ("_Save"), GTK_RESPONSE_ACCEPT,

@@ -292,7 +292,7 @@ drop_uris (Hull2vdWindow *window, char **uris)
 
     if (path == NULL)
       hull2vd_window_say (window,
-                          _ ("Only files of this computer can be opened"));
+                          _ ("Only files on this computer can be opened"));
     else if (i == 0)
       window_files_open_path (window, path);
     else

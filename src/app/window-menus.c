@@ -63,7 +63,7 @@ static const MenuRow view_rows[] = {
   { NULL, "" },
   { N_ ("Look _Up, Unmirrored"), "camera-look-up-unmirrored" },
   { N_ ("_Fit Both Pictures"), "fit" },
-  { N_ ("_Space in Its Own Window"), "detach-space" },
+  { N_ ("_Space in a Separate Window"), "detach-space" },
   { N_ ("Full _Screen"), "fullscreen" },
   { N_ ("_Black Screen"), "blank" },
   { NULL, NULL },

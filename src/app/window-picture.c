@@ -71,7 +71,7 @@ on_file_chosen (const char *path, gpointer user)
 
   if (!picture_format_of (path, &format)) {
     g_autofree char *message = g_strdup_printf (
-        _ ("%s: a picture’s name ends in .svg, .pdf or .png"), path);
+        _ ("%s: the name of a picture must end in .svg, .pdf or .png"), path);
 
     hull2vd_window_say (export->window, message);
     return;

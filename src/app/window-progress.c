@@ -54,9 +54,9 @@ window_progress_clear (Hull2vdWindow *window)
   kept = session_clear_progress (window->session);
   progress_keeper_flush ();
   text = kept == NULL
-             ? g_strdup (_ ("Forgotten: no lesson has been worked on."))
-             : g_strdup_printf (_ ("Forgotten: no lesson has been worked on. "
-                                   "What was known is kept as %s."),
+             ? g_strdup (_ ("Your progress in all lessons is forgotten."))
+             : g_strdup_printf (_ ("Your progress in all lessons is forgotten. "
+                                   "A copy is kept as %s."),
                                 kept);
   hull2vd_window_say (window, text);
 }

@@ -54,12 +54,12 @@ cli_pdf (const CliCommand *command, const char *path)
   PictureFormat format = PICTURE_PDF;
 
   if (path == NULL) {
-    cli_usage (command, _ ("which file to write? -o FILE.pdf"));
+    cli_usage (command, _ ("no output file is given: use -o FILE.pdf"));
     return FALSE;
   }
   picture_format_of (path, &format);
   if (format != PICTURE_PDF)
-    cli_usage (command, _ ("%s: a PDF file is written: its name ends in .pdf"),
+    cli_usage (command, _ ("%s: the name of a PDF file must end in .pdf"),
                path);
   return format == PICTURE_PDF;
 }
@@ -68,7 +68,7 @@ static gboolean
 check_count (const CliCommand *command, CliCount count, guint n)
 {
   if (n < count.least)
-    cli_usage (command, _ ("%s: a file is missing"), command->name);
+    cli_usage (command, _ ("%s: no file is given"), command->name);
   else if (n > count.most)
     cli_usage (command, _ ("%s: too many files"), command->name);
   return n >= count.least && n <= count.most;
@@ -83,7 +83,7 @@ check_input (const CliCommand *command, char **paths)
   for (; paths != NULL && *paths != NULL; paths++)
     n += input_is_standard (*paths);
   if (n > 1)
-    cli_usage (command, _ ("%s: “-”, the standard input, can be read once"),
+    cli_usage (command, _ ("%s: “-”, standard input, can be read only once"),
                command->name);
   return n <= 1;
 }

@@ -93,7 +93,7 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (CliOrder, cli_order_clear)
     0,                                                                         \
     G_OPTION_ARG_STRING,                                                       \
     &(options)->kind,                                                          \
-    N_ ("which site next: furthest, input, random, seeded or hilbert"),        \
+    N_ ("which site comes next: furthest, input, random, seeded or hilbert"),  \
     "ORDER" },                                                                 \
   {                                                                            \
     "seed", 0, 0, G_OPTION_ARG_STRING, &(options)->seed,                       \
@@ -147,18 +147,18 @@ gboolean cli_look (const CliCommand *command,
         0,                                                                     \
         G_OPTION_ARG_STRING,                                                   \
         &(options)->line_scale,                                                \
-        N_ ("heavier lines: 0.5 to 3"),                                        \
+        N_ ("weight of lines: 0.5 to 3, normally 1"),                          \
         "L" },                                                                 \
       { "mark-scale",                                                          \
         0,                                                                     \
         0,                                                                     \
         G_OPTION_ARG_STRING,                                                   \
         &(options)->mark_scale,                                                \
-        N_ ("larger marks: 0.5 to 3"),                                         \
+        N_ ("size of marks: 0.5 to 3, normally 1"),                            \
         "M" },                                                                 \
   {                                                                            \
     "text-scale", 0, 0, G_OPTION_ARG_STRING, &(options)->text_scale,           \
-        N_ ("larger names: 0.5 to 3"), "T"                                     \
+        N_ ("size of names: 0.5 to 3, normally 1"), "T"                        \
   }
 
 /* All of them. */
@@ -169,7 +169,7 @@ gboolean cli_look (const CliCommand *command,
         0,                                                                     \
         G_OPTION_ARG_STRING,                                                   \
         &(options)->layers,                                                    \
-        N_ ("these layers alone; with + and -, more and less than else"),      \
+        N_ ("show only these layers; +LAYER adds one, -LAYER hides one"),      \
         "hull,-lifts…" },                                                      \
   {                                                                            \
     "camera", 0, 0, G_OPTION_ARG_STRING, &(options)->camera,                   \

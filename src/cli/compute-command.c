@@ -38,7 +38,7 @@ options_parse (Options *options,
             N_ ("write facets that lie in one plane as one polygon"), NULL },
           CLI_ORDER_ENTRIES (&options->order_options),
           { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options->output,
-            N_ ("write to FILE, whole or not at all"), "FILE" },
+            N_ ("write to FILE instead of standard output"), "FILE" },
           G_OPTION_ENTRY_NULL };
 
   return cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,

@@ -51,15 +51,15 @@ print_counts (const SiteSet *set, const Order *order)
   fprintf (file, _ ("order %s: %s\n"), order_kind_name (order->kind),
            _ (policy_of (order->kind)));
   fprintf (file, "%s\n",
-           _ ("counted: the whole hull, lower, upper and vertical facets; in "
-              "all, and for each site"));
+           _ ("counts for the whole hull, with lower, upper and vertical "
+              "facets: in total, and per site"));
   print_count (file, _ ("sites"), n, n);
   print_count (file, _ ("facets at the end"), batch->n_facets, n);
   print_count (file, _ ("facets created"), counts->facets_created, n);
   print_count (file, _ ("visibility tests"), counts->visibility_tests, n);
-  print_count (file, _ ("claims, redistributed too"), counts->redistributions,
+  print_count (file, _ ("claims and redistributions"), counts->redistributions,
                n);
-  print_count (file, _ ("steps of walks"), counts->walk_steps, n);
+  print_count (file, _ ("walk steps"), counts->walk_steps, n);
   batch_free (batch);
   return cli_output_end (&output, NULL);
 }

@@ -93,7 +93,8 @@ set_size (const CliCommand *command, Picture *picture, const Options *options)
   picture->scale = options->factor;
   if (picture_has_good_size (picture))
     return TRUE;
-  cli_usage (command, _ ("a size lies between 1x1 and %dx%d, scaled or not"),
+  cli_usage (command,
+             _ ("the size must be between 1x1 and %dx%d, also after scaling"),
              PICTURE_MOST, PICTURE_MOST);
   return FALSE;
 }
@@ -114,7 +115,7 @@ parse_moment (const CliCommand *command, Options *options)
       return FALSE;
   }
   if (n_given > 1)
-    cli_usage (command, _ ("write one of --event, --round and --stop"));
+    cli_usage (command, _ ("use only one of --event, --round and --stop"));
   return n_given <= 1;
 }
 
@@ -122,11 +123,12 @@ static gboolean
 parse_output (const CliCommand *command, Options *options)
 {
   if (options->output == NULL)
-    cli_usage (command, _ ("which file to write? -o OUT.svg"));
+    cli_usage (command, _ ("no output file is given: use -o OUT.svg"));
   else if (picture_format_of (options->output, &options->format))
     return TRUE;
   else
-    cli_usage (command, _ ("%s: a picture's name ends in .svg, .pdf or .png"),
+    cli_usage (command,
+               _ ("%s: the name of a picture must end in .svg, .pdf or .png"),
                options->output);
   return FALSE;
 }
@@ -167,26 +169,27 @@ options_parse (Options *options,
   {                                                                            \
     name, letter, 0, G_OPTION_ARG_##kind, &options->field, sentence, value     \
   }
-  const GOptionEntry entries[] = {
-    ENTRY ("view", 0, STRING, view, N_ ("what to show"), "plane|space|both"),
-    ENTRY ("event", 0, STRING, event, N_ ("after event E"), "E"),
-    ENTRY ("round", 0, STRING, round,
-           N_ ("after R insertions beyond the first simplex"), "R"),
-    ENTRY ("stop", 0, STRING, stop, N_ ("at stop K of the lesson, from 1"),
-           "K"),
-    ENTRY ("size", 0, STRING, size, N_ ("pixels of PNG, points of the others"),
-           "WxH"),
-    ENTRY ("scale", 0, STRING, scale, N_ ("F times as large, all of it"), "F"),
-    ENTRY ("transparent", 0, NONE, is_transparent, N_ ("without a background"),
-           NULL),
-    ENTRY ("do", 0, STRING_ARRAY, commands,
-           N_ ("do this first, as in a lesson: “view planar”"), "COMMAND"),
-    CLI_ORDER_ENTRIES (&options->order_options),
-    CLI_LOOK_ENTRIES (&options->look),
-    ENTRY ("output", 'o', FILENAME, output,
-           N_ ("the picture: .svg, .pdf or .png"), "OUT"),
-    G_OPTION_ENTRY_NULL
-  };
+  const GOptionEntry entries[]
+      = { ENTRY ("view", 0, STRING, view, N_ ("what to show"),
+                 "plane|space|both"),
+          ENTRY ("event", 0, STRING, event, N_ ("after event E"), "E"),
+          ENTRY ("round", 0, STRING, round,
+                 N_ ("after R insertions beyond the first simplex"), "R"),
+          ENTRY ("stop", 0, STRING, stop,
+                 N_ ("at stop K of the lesson, counted from 1"), "K"),
+          ENTRY ("size", 0, STRING, size,
+                 N_ ("size: pixels for PNG, points for SVG and PDF"), "WxH"),
+          ENTRY ("scale", 0, STRING, scale, N_ ("scale everything by F"), "F"),
+          ENTRY ("transparent", 0, NONE, is_transparent,
+                 N_ ("without a background"), NULL),
+          ENTRY ("do", 0, STRING_ARRAY, commands,
+                 N_ ("first run this command, as in a lesson: “view planar”"),
+                 "COMMAND"),
+          CLI_ORDER_ENTRIES (&options->order_options),
+          CLI_LOOK_ENTRIES (&options->look),
+          ENTRY ("output", 'o', FILENAME, output,
+                 N_ ("write to this picture: .svg, .pdf or .png"), "OUT"),
+          G_OPTION_ENTRY_NULL };
 #undef ENTRY
 
   return cli_parse (command, entries, (CliCount){ 1, 1 }, argc, argv,
@@ -233,7 +236,7 @@ static gboolean
 goto_stop (Session *session, const Options *options)
 {
   if (session_get_n_stops (session) == 0) {
-    cli_say (_ ("%s: points have no stops, only a lesson has"),
+    cli_say (_ ("%s: points have no stops; only lessons do"),
              options->paths[0]);
     return FALSE;
   }

@@ -67,7 +67,7 @@ options_parse (Options *options,
       "PAPER" },
     CLI_APPEARANCE_ENTRIES (&options->look),
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options->output,
-      N_ ("the PDF file"), "FILE.pdf" },
+      N_ ("write to this PDF file"), "FILE.pdf" },
     G_OPTION_ENTRY_NULL
   };
 #undef FLAG
@@ -107,7 +107,7 @@ cli_handout (const CliCommand *command, int argc, char **argv)
     if (!cli_open_lesson (session, options.paths[0], &error)) {
       status = cli_fail (error);
     } else if (session_get_lesson (session) == NULL) {
-      cli_say (_ ("%s: a handout is made of a lesson, not of points"),
+      cli_say (_ ("%s: a handout needs a lesson, not points"),
                options.paths[0]);
       status = CLI_REFUSED;
     } else {

@@ -9,20 +9,23 @@
 
 static const CliCommand commands[] = {
   { "compute", "POINTS",
-    N_ ("Write hull, Delaunay triangulation and Voronoi diagram as JSON"),
+    N_ ("Write the hull, Delaunay triangulation and Voronoi diagram as JSON"),
     cli_compute },
   { "count", "POINTS", N_ ("Count what an order of insertion costs"),
     cli_count },
-  { "trace", "POINTS", N_ ("Write what happens, one event a line"), cli_trace },
+  { "trace", "POINTS", N_ ("Write what happens, one event per line"),
+    cli_trace },
   { "replay", "LESSON…", N_ ("Play lessons and check what they expect"),
     cli_replay },
-  { "lint", "LESSON…", N_ ("Tell all that is wrong with lessons"), cli_lint },
+  { "lint", "LESSON…", N_ ("Report everything that is wrong with lessons"),
+    cli_lint },
   { "export", "POINTS|LESSON", N_ ("Write a picture: SVG, PDF or PNG"),
     cli_export },
   { "storyboard", "LESSON", N_ ("Write the stops of a lesson as PDF"),
     cli_storyboard },
-  { "handout", "LESSON", N_ ("Write a lesson on paper, as PDF"), cli_handout },
-  { "words", "LESSON…", N_ ("Write what there is to translate in lessons"),
+  { "handout", "LESSON", N_ ("Write a handout of a lesson as PDF"),
+    cli_handout },
+  { "words", "LESSON…", N_ ("Write the translatable text of lessons"),
     cli_words },
   { "questions", "LESSON…",
     N_ ("Write the questions of lessons for Moodle (GIFT) or as QTI"),
@@ -50,11 +53,11 @@ print_help (void)
     fprintf (output.file, "  %-10s  %s\n", commands[i].name,
              _ (commands[i].sentence));
   fprintf (output.file, "\n%s\n%s\n",
-           _ ("A FILE “-” is the standard input. hull2vd-cli COMMAND --help "
-              "tells the options\nof a command."),
+           _ ("FILE “-” is standard input. hull2vd-cli COMMAND --help lists "
+              "the options of a\ncommand."),
            _ ("Exit status: 0 done, 1 input refused or an expectation failed, "
-              "2 a broken lesson,\n64 usage, 66 cannot open, 73 cannot "
-              "write."));
+              "2 broken lesson,\n64 usage error, 66 cannot open a file, 73 "
+              "cannot write."));
   return cli_output_end (&output, NULL);
 }
 
@@ -72,7 +75,7 @@ static CliStatus
 refuse_command (const char *name)
 {
   if (name == NULL)
-    cli_say ("%s", _ ("hull2vd-cli: which command?"));
+    cli_say ("%s", _ ("hull2vd-cli: no command is given"));
   else
     cli_say (_ ("hull2vd-cli: there is no command “%s”"), name);
   print_usage (stderr);

@@ -83,14 +83,14 @@ cli_questions (const CliCommand *command, int argc, char **argv)
             N_ ("gift: for Moodle; qti: a QTI 2.1 content package"),
             "gift|qti" },
           { "output", 'o', 0, G_OPTION_ARG_FILENAME, &path,
-            N_ ("the file to write; else standard output"), "FILE" },
+            N_ ("write to FILE instead of standard output"), "FILE" },
           G_OPTION_ENTRY_NULL };
 
   if (!cli_parse (command, options, (CliCount){ 1, G_MAXUINT }, argc, argv,
                   &paths))
     return CLI_USAGE;
   if (g_strcmp0 (format, "gift") != 0 && g_strcmp0 (format, "qti") != 0)
-    return cli_usage (command, _ ("--format is gift or qti"));
+    return cli_usage (command, _ ("--format must be gift or qti"));
   for (guint i = 0; paths[i] != NULL; i++) {
     g_autoptr (Lesson) lesson = lesson_words_load (paths[i], &error);
 

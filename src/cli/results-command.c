@@ -38,19 +38,19 @@ cli_results (const CliCommand *command, int argc, char **argv)
   g_autoptr (GError) error = NULL;
   const GOptionEntry options[]
       = { { "format", 'f', 0, G_OPTION_ARG_STRING, &format,
-            N_ ("csv, as without it: a table; xapi: statements"), "csv|xapi" },
+            N_ ("csv: a table (the default); xapi: statements"), "csv|xapi" },
           { "name", 'n', 0, G_OPTION_ARG_STRING, &name,
-            N_ ("what the person is called there; else a random name"),
+            N_ ("name of the person in the output; random by default"),
             "NAME" },
           { "output", 'o', 0, G_OPTION_ARG_FILENAME, &path,
-            N_ ("the file to write; else standard output"), "FILE" },
+            N_ ("write to FILE instead of standard output"), "FILE" },
           G_OPTION_ENTRY_NULL };
 
   if (!cli_parse (command, options, (CliCount){ 0, 1 }, argc, argv, &paths))
     return CLI_USAGE;
   if (format != NULL && !g_str_equal (format, "csv")
       && !g_str_equal (format, "xapi"))
-    return cli_usage (command, _ ("--format is csv or xapi"));
+    return cli_usage (command, _ ("--format must be csv or xapi"));
   progress = progress_new (paths[0] != NULL ? paths[0] : usual);
   if (!progress_read (progress, &error)) {
     cli_say ("%s", error->message);

@@ -28,7 +28,7 @@ options_parse (Options *options,
   guint layers = 0;
   const GOptionEntry entries[]
       = { { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options->output,
-            N_ ("the PDF file"), "FILE.pdf" },
+            N_ ("write to this PDF file"), "FILE.pdf" },
           CLI_APPEARANCE_ENTRIES (&options->look),
           G_OPTION_ENTRY_NULL };
 

@@ -49,7 +49,7 @@ cli_trace (const CliCommand *command, int argc, char **argv)
             N_ ("a line for each event, phase or round"), "event|phase|round" },
           CLI_ORDER_ENTRIES (&order_options),
           { "output", 'o', 0, G_OPTION_ARG_FILENAME, &path,
-            N_ ("write to FILE, whole or not at all"), "FILE" },
+            N_ ("write to FILE instead of standard output"), "FILE" },
           G_OPTION_ENTRY_NULL };
   GError *error = NULL;
   CliStatus status;

@@ -40,7 +40,7 @@ static const PseudocodeLine hull_corrected[] = {
   [HULL_VISIBLE] = { N_ ("if p sees f, add f to F"), 2 },
   [HULL_RIDGE] = { N_ ("for each ridge on the boundary of F"), 1 },
   [HULL_CONE] = { N_ ("add the facet of the ridge and p to CH(P)"), 2 },
-  [HULL_RETIRE] = { N_ ("take the facets of F off CH(P)"), 1 },
+  [HULL_RETIRE] = { N_ ("remove the facets of F from CH(P)"), 1 },
 };
 
 static const PseudocodeLine diagrams_2004[] = {

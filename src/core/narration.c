@@ -14,7 +14,7 @@ static const char *
 start_template (const SiteSet *set)
 {
   if (set->n_sites == 0)
-    return N_ ("There is no site yet.");
+    return N_ ("There are no sites yet.");
   if (set->n_sites == 1)
     return N_ ("One site waits in the plane.");
   return N_ ("{n} sites wait in the plane.");
@@ -34,7 +34,7 @@ flat_template (const SiteSet *set)
   dimension = flat_sort (set, active, n);
   free (active);
   if (n == 0)
-    return N_ ("There is no site, so there is nothing to build.");
+    return N_ ("There are no sites, so there is nothing to build.");
   if (n == 1)
     return N_ ("One site: its Voronoi cell is the whole plane.");
   if (n == 2)
@@ -108,8 +108,8 @@ retire_template (Facing facing)
   case FACING_UPPER:
     return N_ ("{f} is inside the hull now: it retires; no triangle goes.");
   case FACING_VERTICAL:
-    return N_ ("{f} is inside the hull now: it retires; the straight hull edge "
-               "is no longer one.");
+    return N_ ("{f} is inside the hull now: it retires; the straight edge "
+               "below it is no longer a hull edge.");
   }
   return "";
 }

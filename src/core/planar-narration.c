@@ -8,7 +8,7 @@ static const char *
 start_template (const SiteSet *set)
 {
   if (set->n_sites == 0)
-    return N_ ("There is no site yet.");
+    return N_ ("There are no sites yet.");
   if (set->n_sites == 1)
     return N_ ("One site waits in the plane.");
   return N_ ("{n} sites wait in the plane.");
@@ -18,7 +18,7 @@ static const char *
 flat_template (const SiteSet *set)
 {
   if (set->n_distinct == 0)
-    return N_ ("There is no site, so there is nothing to build.");
+    return N_ ("There are no sites, so there is nothing to build.");
   if (set->n_distinct == 1)
     return N_ ("One site: it is its own hull.");
   if (set->n_distinct == 2)

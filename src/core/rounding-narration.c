@@ -17,9 +17,9 @@ step_template (const RoundedHull *hull, const RoundedStep *step)
                  "outside: at {a} {b} the rounded sign is wrong.");
     return N_ ("{p} sees no edge: it lies inside and is dropped.");
   case ROUNDED_STUCK:
-    return N_ ("{p} seems to see every edge: there is no end to the way "
-               "round, and the program hangs. At {a} {b} the rounded sign is "
-               "wrong.");
+    return N_ (
+        "{p} seems to see every edge: the walk round the hull never ends, and "
+        "the program hangs. At {a} {b} the rounded sign is wrong.");
   case ROUNDED_INSERT:
     if (step->n_wrong > 0)
       return N_ ("{p} takes the place of {n} edges that it seems to see; at "

@@ -99,7 +99,7 @@ number_fault (double number)
     return N_ ("expected two decimal numbers such as -1.5 2e3");
   if (isinf (number))
     return N_ ("a number is too large");
-  return N_ ("a number is too near to zero");
+  return N_ ("a number is too close to zero");
 }
 
 /* Skips blanks with at most one comma or semicolon among them.
@@ -198,7 +198,7 @@ reader_add (SiteReader *reader, const Site *site)
   if (reader->n_sites == MAX_SITES)
     return N_ ("more than 10000000 sites");
   if (!site_range_add (&reader->range, site))
-    return N_ ("too large or too small beside the numbers before it");
+    return N_ ("too large or too small compared with the numbers before it");
   if (reader->n_sites == reader->room)
     reader->sites = memory_grow (reader->sites, &reader->room,
                                  reader->n_sites + 1, sizeof *reader->sites);

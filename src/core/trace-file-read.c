@@ -139,7 +139,7 @@ add_site (TraceReader *reader, const Site *site)
   if (reader->n_sites == MAX_SITES)
     return "more than 10000000 sites";
   if (!site_range_add (&reader->range, site))
-    return "too large or too small beside the numbers before it";
+    return "too large or too small compared with the numbers before it";
   if (reader->n_sites == reader->sites_room)
     reader->sites = memory_grow (reader->sites, &reader->sites_room,
                                  reader->n_sites + 1, sizeof *reader->sites);

@@ -72,8 +72,8 @@ add_options (const Room *room)
 {
   const Question *question = room->stop->question;
 
-  add_small (room, question->is_several ? _ ("Cross all that are right.")
-                                        : _ ("Cross one."));
+  add_small (room, question->is_several ? _ ("Tick all that are right.")
+                                        : _ ("Tick one."));
   for (guint i = 0; i < question->options->len; i++)
     add_choice (room, (Object){ OBJECT_NONE, i }, FORM_EMPTY);
   block_add_below (

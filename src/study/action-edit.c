@@ -117,8 +117,7 @@ ACTION_RUN (action_sites)
 
 ACTION_RUN (action_new)
 {
-  return session_open_sites (session, NULL, 0, _ ("removal of all sites"),
-                             error);
+  return session_open_sites (session, NULL, 0, _ ("clearing the plane"), error);
 }
 
 ACTION_RUN (action_undo)

@@ -70,8 +70,8 @@ ACTION_RUN (action_compare)
     return TRUE;
   }
   g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
-               _ ("“%s” are not two orders; write two of furthest, input, "
-                  "random S, seeded and hilbert, or none"),
+               _ ("“%s” does not name two orders; write two of furthest, "
+                  "input, random S, seeded and hilbert, or none"),
                text);
   return FALSE;
 }

@@ -146,8 +146,8 @@ ACTION_RUN (action_select)
   Object object;
 
   if (!object_name_parse (name, &object))
-    fault = _ ("write s and the number of a site, f and that of a facet, v "
-               "and that of a Voronoi vertex, or none");
+    fault = _ ("write s3 for a site, f12 for a facet, v12 for a Voronoi "
+               "vertex, or none");
   else
     fault = object_fault (session, object);
   if (fault == NULL) {

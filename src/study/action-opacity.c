@@ -101,8 +101,7 @@ ACTION_RUN (action_measure)
     return TRUE;
   }
   g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
-               _ ("cannot measure “%s”: write s and the number of a site, or "
-                  "none"),
+               _ ("cannot measure “%s”: write a site, such as s5, or none"),
                name);
   return FALSE;
 }

@@ -19,19 +19,19 @@ static ACTION_RUN (action_perform)
 static ACTION_RUN (action_grade)
 {
   return session_grade (session)
-         || refuse (_ ("there is no performance that could be graded"), error);
+         || refuse (_ ("there is no performance to grade"), error);
 }
 
 static ACTION_RUN (action_browse)
 {
   return session_browse (session, action->data != 0)
-         || refuse (_ ("there is no further task to look at"), error);
+         || refuse (_ ("there is no other task to look at"), error);
 }
 
 static ACTION_RUN (action_end_performance)
 {
   return session_end_performance (session)
-         || refuse (_ ("there is no performance that could be left"), error);
+         || refuse (_ ("there is no performance to leave"), error);
 }
 
 static ACTION_ENABLED (action_can_grade) { return session_can_grade (session); }
@@ -87,7 +87,7 @@ static const Action rows[] = {
     .where = ACTION_IN_WINDOW,
     .run = action_perform },
   { .name = "grade",
-    .sentence = N_ ("Grade the performance; what is left to do is given up"),
+    .sentence = N_ ("Grade the performance, giving up what is left to do"),
     .where = ACTION_IN_WINDOW,
     .run = action_grade,
     .is_enabled = action_can_grade },
@@ -122,8 +122,8 @@ static const Action rows[] = {
     .get_state = action_state_task },
   { .name = "performance-score",
     .state = "(uuuu)",
-    .sentence = N_ ("Of the performance: how many tasks there are, right at "
-                    "once, steps taken back and hints"),
+    .sentence = N_ ("The performance: how many tasks there are, right first "
+                    "time, steps taken back and hints"),
     .where = ACTION_IN_WINDOW,
     .get_state = action_state_performance_score },
 };

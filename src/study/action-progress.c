@@ -7,7 +7,7 @@ ACTION_RUN (action_resume)
   if (session_resume (session))
     return TRUE;
   g_set_error (error, ACTION_ERROR, ACTION_ERROR_DISABLED, "%s",
-               _ ("there is no place to go on from"));
+               _ ("there is no place to resume from"));
   return FALSE;
 }
 

@@ -38,13 +38,13 @@ ACTION_RUN (action_answer_toggle)
 
   if (!read_object (name, &object)) {
     g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
-                 _ ("“%s” is no answer: write f3, s3, v3, r3, o1 for the first "
-                    "option, or the name of a phase"),
+                 _ ("“%s” is not an answer: write f3, s3, v3, r3, o1 for the "
+                    "first option, or the name of a phase"),
                  name);
     return FALSE;
   }
   return session_answer_toggle (session, object)
-         || refuse (_ ("this is no answer to an open question"), error);
+         || refuse (_ ("this does not answer an open question"), error);
 }
 
 ACTION_RUN (action_answer_number)
@@ -94,7 +94,7 @@ ACTION_RUN (action_another)
 ACTION_RUN (action_continue)
 {
   return session_continue (session)
-         || refuse (_ ("there is nothing to go on to"), error);
+         || refuse (_ ("there is nothing to continue with"), error);
 }
 
 /* States */

@@ -99,8 +99,8 @@ static const Action rows[] = {
     .data = LAYER_TANGENTS },
   { .name = "layer-why",
     .state = "b",
-    .sentence = N_ ("Show why a circle holds a site: plane, ellipse and gap "
-                    "of the facet selected"),
+    .sentence = N_ ("Show why a circle contains a site: plane, ellipse and gap "
+                    "of the selected facet"),
     .keys = "w",
     .where = ACTION_IN_WINDOW,
     .run = action_toggle_layer,
@@ -119,7 +119,7 @@ static const Action rows[] = {
   { .name = "lift",
     .parameter = "d",
     .state = "d",
-    .sentence = N_ ("Lift the sites from the plane, 0, to the paraboloid, 1"),
+    .sentence = N_ ("Lift the sites from the plane (0) to the paraboloid (1)"),
     .where = ACTION_IN_LESSON | ACTION_IN_WINDOW,
     .run = action_lift,
     .get_state = action_state_lift },
@@ -132,8 +132,8 @@ static const Action rows[] = {
     .get_state = action_state_raise },
   { .name = "opacity",
     .parameter = "(sd)",
-    .sentence = N_ ("Make paraboloid, hull, plane or a role of the legend "
-                    "transparent, 0, or opaque, 1"),
+    .sentence = N_ ("Make the paraboloid, the hull, the plane or a role of the "
+                    "legend transparent (0) to opaque (1)"),
     .where = ACTION_IN_LESSON | ACTION_IN_WINDOW,
     .run = action_opacity },
   { .name = "opacity-paraboloid",
@@ -162,15 +162,15 @@ static const Action rows[] = {
     .get_state = action_state_body_opacity,
     .data = BODY_PLANE },
   { .name = "reset-look",
-    .sentence = N_ ("Lift all sites, put the paraboloid back and make all "
-                    "opaque"),
+    .sentence
+    = N_ ("Lift all sites, put the paraboloid back and make everything opaque"),
     .where = ACTION_IN_LESSON | ACTION_IN_WINDOW,
     .run = action_reset_look },
   { .name = "measure",
     .parameter = "s",
     .state = "s",
-    .sentence = N_ ("Measure the power of a site for the circle of the facet "
-                    "selected: s5, none"),
+    .sentence = N_ ("Measure the power of a site with respect to the circle of "
+                    "the selected facet: s5, none"),
     .where = ACTION_IN_LESSON | ACTION_IN_WINDOW,
     .run = action_measure,
     .get_state = action_state_measure },
@@ -191,7 +191,7 @@ static const Action rows[] = {
   { .name = "views",
     .parameter = "s",
     .state = "s",
-    .sentence = N_ ("Choose which pictures there are: both, plane or space"),
+    .sentence = N_ ("Choose which pictures are shown: both, plane or space"),
     .where = ACTION_IN_LESSON | ACTION_IN_WINDOW,
     .run = action_views,
     .get_state = action_state_views },
@@ -245,7 +245,7 @@ static const Action rows[] = {
     .parameter = "s",
     .state = "s",
     .sentence
-    = N_ ("Choose what is loud: active, none, visible, horizon or cone"),
+    = N_ ("Choose what is emphasized: active, none, visible, horizon or cone"),
     .where = ACTION_IN_LESSON | ACTION_IN_WINDOW,
     .run = action_focus,
     .get_state = action_state_focus },
@@ -285,7 +285,7 @@ static const Action rows[] = {
     .get_state = action_state_selected_sites },
   { .name = "toggle-site",
     .parameter = "u",
-    .sentence = N_ ("Select a site beside the others, or let it go"),
+    .sentence = N_ ("Add a site to the selection, or remove it"),
     .where = ACTION_IN_WINDOW,
     .run = action_toggle_site },
   { .name = "select-all",
@@ -379,8 +379,8 @@ static const Action rows[] = {
   { .name = "line-scale",
     .parameter = "d",
     .state = "d",
-    .sentence = N_ ("Choose how heavy lines are: 0.5 to 3, 1 as the theme has "
-                    "them"),
+    .sentence
+    = N_ ("Choose how heavy lines are: 0.5 to 3, 1 is the theme’s own weight"),
     .where = ACTION_IN_WINDOW,
     .run = action_scale,
     .get_state = action_state_scale,

@@ -5,7 +5,7 @@
 
 static const Action rows[] = {
   { .name = "resume",
-    .sentence = N_ ("Go on where you were in the lesson"),
+    .sentence = N_ ("Resume the lesson where you left it"),
     .keys = "<Alt>Home",
     .where = ACTION_IN_WINDOW,
     .run = action_resume,
@@ -20,20 +20,20 @@ static const Action rows[] = {
     .where = ACTION_IN_WINDOW,
     .is_enabled = action_has_progress },
   { .name = "clear-progress",
-    .sentence = N_ ("Forget how far you are in all lessons"),
+    .sentence = N_ ("Forget your progress in all lessons"),
     .where = ACTION_IN_WINDOW,
     .is_enabled = action_has_progress },
   { .name = "record",
     .state = "b",
-    .sentence = N_ ("Write down what you do, as text of a lesson"),
+    .sentence = N_ ("Record what you do as lesson text"),
     .keys = "<Primary>r",
     .where = ACTION_IN_WINDOW },
   { .name = "record-stop",
-    .sentence = N_ ("Begin a new stop of what is recorded"),
+    .sentence = N_ ("Start a new stop in the recording"),
     .keys = "<Primary><Shift>r",
     .where = ACTION_IN_WINDOW },
   { .name = "record-copy",
-    .sentence = N_ ("Copy what was recorded"),
+    .sentence = N_ ("Copy the recording"),
     .where = ACTION_IN_WINDOW },
 };
 

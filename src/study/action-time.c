@@ -61,7 +61,8 @@ ACTION_RUN (action_step_size)
 
   if (!step_size_parse (name, &size)) {
     g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
-                 _ ("“%s” is no step size; write beat, phase or event"), name);
+                 _ ("“%s” is not a step size; write beat, phase or event"),
+                 name);
     return FALSE;
   }
   session_set_step_size (session, size);

@@ -58,7 +58,7 @@ action_run (Session *session,
   if (action == NULL || action->run == NULL) {
     g_set_error (error, ACTION_ERROR, ACTION_ERROR_UNKNOWN,
                  action == NULL ? _ ("there is no action “%s”")
-                                : _ ("“%s” can be done in the window alone"),
+                                : _ ("“%s” can be done only in the window"),
                  name);
     return FALSE;
   }

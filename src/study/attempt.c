@@ -154,11 +154,11 @@ reason_option (const Grading *grading, guint index, gboolean is_right)
   if (statement == NULL)
     return reason_numbers (condition, grading->occasion, text, is_right);
   if (condition_is_negated (condition))
-    form = is_right ? _ ("“%s” is right: it is not so that %s.")
+    form = is_right ? _ ("“%s” is right: it is not the case that %s.")
                     : _ ("“%s” is wrong: %s.");
   else
     form = is_right ? _ ("“%s” is right: %s.")
-                    : _ ("“%s” is wrong: it is not so that %s.");
+                    : _ ("“%s” is wrong: it is not the case that %s.");
   return g_strdup_printf (form, text, statement);
 }
 
@@ -332,9 +332,9 @@ tell_order (Grading *grading, const Answer *answer, guint n_legal)
   if (n_legal >= chosen->len || grading->verdict->reasons->len > 0)
     return;
   here = question_item_text (question, g_array_index (chosen, Object, n_legal));
-  tell (grading->verdict->reasons,
-        g_strdup_printf (_ ("“%s” cannot stand at place %u."), here,
-                         n_legal + 1));
+  tell (
+      grading->verdict->reasons,
+      g_strdup_printf (_ ("“%s” cannot come at place %u."), here, n_legal + 1));
 }
 
 static void
@@ -369,7 +369,7 @@ grade_drag (Grading *grading)
   verdict->missing = 1 - verdict->right;
   if (verdict->right == 0)
     tell (verdict->reasons,
-          g_strdup_printf (_ ("It does not hold yet that %s."), sentence));
+          g_strdup_printf (_ ("It is not yet the case that %s."), sentence));
 }
 
 static gboolean

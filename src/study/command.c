@@ -82,7 +82,7 @@ refuse_verb (const char *word, GError **error)
   g_autofree char *hint = verb_hint (word);
 
   g_set_error (error, ACTION_ERROR, ACTION_ERROR_UNKNOWN,
-               _ ("“%s” is no command%s"), word, hint);
+               _ ("“%s” is not a command%s"), word, hint);
   return FALSE;
 }
 

@@ -75,7 +75,7 @@ refuse_name (const char *name, GError **error)
     g_ptr_array_add (names, (char *)*key);
   g_ptr_array_add (names, NULL);
   hint = words_hint (name, (const char *const *)names->pdata);
-  return refuse (error, _ ("no condition can speak of “%s”%s"), name, hint);
+  return refuse (error, _ ("a condition cannot use “%s”%s"), name, hint);
 }
 
 /* "3", "facets", "2*inserted" */

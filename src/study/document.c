@@ -94,7 +94,7 @@ open_set (Session *session, SiteSet *set, GError **error)
   const guint n_sites = set->n_sites;
 
   site_set_free (set);
-  return session_open_sites (session, sites, n_sites, _ ("opening of a file"),
+  return session_open_sites (session, sites, n_sites, _ ("opening a file"),
                              error);
 }
 

@@ -159,7 +159,7 @@ parse (const char *text, Expect *expect, GError **error)
   if (value_kind (expect->key) == VALUE_NUMBER && expect->value[0] != '\0'
       && strchr ("=<>!", expect->value[0]) != NULL) {
     g_set_error (error, LESSON_ERROR, LESSON_ERROR_BROKEN,
-                 _ ("expect %s needs a whole number alone: comparisons are for "
+                 _ ("expect %s takes only a whole number: comparisons are for "
                     "the conditions of questions"),
                  key_name (expect->key));
     return FALSE;

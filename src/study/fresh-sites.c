@@ -49,7 +49,7 @@ fresh_sites_parse (const char *text,
   end = find_seed (text, seed);
   if (end == NULL)
     return refuse (error, _ ("these sites are always the same: write a source "
-                             "with a seed, as random 7 seed 1"));
+                             "with a seed, such as random 7 seed 1"));
   if (n_sites > QUESTION_MAX_SITES)
     return refuse (error, _ ("more than 200 sites"));
   *source = g_strndup (text, (gsize)(end - text));

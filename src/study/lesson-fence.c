@@ -55,10 +55,10 @@ read_lesson_block (LessonReader *reader, cmark_node *block, GError **error)
     return blame (reader, line, error,
                   _ ("the lesson block must stand before the first stop"));
   if (reader->lesson_line != 0)
-    return lesson_source_blame (reader->source, line, 1, error,
-                                _ ("a second lesson block; the first is in "
-                                   "line %u"),
-                                reader->lesson_line);
+    return lesson_source_blame (
+        reader->source, line, 1, error,
+        _ ("a second lesson block; the first is on line %u"),
+        reader->lesson_line);
   reader->lesson_line = line;
   lesson_block_read_head (reader->source, &lines, reader->folder,
                           reader->lesson, reader->faults);
@@ -77,10 +77,10 @@ read_steps_block (LessonReader *reader, cmark_node *block, GError **error)
     return blame (reader, line, error,
                   _ ("a steps block belongs to a stop: put ## STOP before it"));
   if (reader->steps_line > reader->ask_line)
-    return lesson_source_blame (reader->source, line, 1, error,
-                                _ ("a second steps block in this stop; the "
-                                   "first is in line %u"),
-                                reader->steps_line);
+    return lesson_source_blame (
+        reader->source, line, 1, error,
+        _ ("a second steps block in this stop; the first is on line %u"),
+        reader->steps_line);
   reader->steps_line = line;
   lesson_block_read_steps (reader->source, &lines, &reader->n_commands,
                            reader->stop->commands, reader->faults);
@@ -97,10 +97,10 @@ read_ask_block (LessonReader *reader, cmark_node *block, GError **error)
     return blame (reader, line, error,
                   _ ("an ask block belongs to a stop: put ## STOP before it"));
   if (reader->ask_line != 0)
-    return lesson_source_blame (reader->source, line, 1, error,
-                                _ ("a second question in this stop; the first "
-                                   "is in line %u"),
-                                reader->ask_line);
+    return lesson_source_blame (
+        reader->source, line, 1, error,
+        _ ("a second question in this stop; the first is on line %u"),
+        reader->ask_line);
   reader->ask_line = line;
   reader->stop->n_setup = reader->stop->commands->len;
   reader->stop->question

@@ -99,8 +99,9 @@ check_name (const char *name, GError **error)
   if (*name == '\0')
     return refuse (_ ("which file? write: sites file NAME"), error);
   if (g_path_is_absolute (name) || g_strv_contains ((const char **)parts, ".."))
-    return refuse (_ ("a file of sites lies below the folder of the lesson"),
-                   error);
+    return refuse (
+        _ ("a file of sites must lie in the lesson’s folder or below it"),
+        error);
   return TRUE;
 }
 
@@ -123,7 +124,8 @@ find_below (const char *folder, const char *name, GError **error)
         && (true_path[length] == '/' || g_str_equal (true_folder, "/")))
       found = g_strdup (true_path);
     else
-      refuse (_ ("a file of sites lies below the folder of the lesson"), error);
+      refuse (_ ("a file of sites must lie in the lesson’s folder or below it"),
+              error);
   }
   free (true_folder);
   free (true_path);
@@ -144,7 +146,7 @@ read_regular (const char *path, gsize *length, GError **error)
     return NULL;
   }
   if (fstat (descriptor, &status) != 0 || !S_ISREG (status.st_mode))
-    refuse (_ ("this is no regular file"), error);
+    refuse (_ ("this is not a regular file"), error);
   else if (status.st_size > LESSON_MAX_BYTES)
     refuse (_ ("the file is larger than 4 MB"), error);
   else

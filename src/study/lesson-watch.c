@@ -116,7 +116,7 @@ load (LessonWatch *watch, LessonFaults *faults)
       || S_ISDIR (status.st_mode))
     return lesson_load_all (watch->path, faults);
   g_set_error (&error, LESSON_ERROR, LESSON_ERROR_CANNOT_OPEN, "%s: %s", name,
-               _ ("this is no regular file"));
+               _ ("this is not a regular file"));
   lesson_faults_take (faults, error);
   return NULL;
 }

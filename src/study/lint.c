@@ -81,7 +81,7 @@ check_expects (Lint *lint, const Lesson *lesson, const LessonStop *stop)
   }
   if (stop->question == NULL && stop->commands->len > 0)
     warn (lint, lesson->path, stop->line,
-          _ ("nothing is expected at this stop, so nothing tells when it goes "
+          _ ("this stop expects nothing, so nothing would show if it went "
              "wrong"));
 }
 
@@ -212,7 +212,7 @@ lint_add (Lint *lint, const char *path)
   }
   for (guint i = 0; i < faults->html_lines->len; i++)
     warn (lint, path, g_array_index (faults->html_lines, guint, i),
-          _ ("HTML is left out"));
+          _ ("HTML is ignored"));
   if (lesson_faults_is_full (faults))
     g_ptr_array_add (lint->errors,
                      g_strdup_printf (_ ("%s: more than %d errors; the rest "
@@ -273,7 +273,7 @@ check_folder (Lint *lint, const char *folder)
     g_autofree char *path = g_build_filename (folder, name, NULL);
 
     if (!is_named (folder, name))
-      warn (lint, path, 1, _ ("no lesson of the folder uses these sites"));
+      warn (lint, path, 1, _ ("no lesson in this folder uses these sites"));
   }
 }
 

@@ -205,8 +205,8 @@ add_site_hints (Question *question, const Trace *trace, guint facet)
   g_ptr_array_add (
       question->hints,
       g_strdup_printf (furthest_hint (trace->facets[facet].facing), facet));
-  add_hint (question, _ ("Of sites that are equally far, exactly, each is "
-                         "right."));
+  add_hint (question,
+            _ ("Among sites that are exactly equally far, each is right."));
 }
 
 static void
@@ -227,9 +227,10 @@ add_hints (const Task *task, Question *question, const Trace *trace)
     break;
   case TASK_SEE:
     add_seeing_hint (question);
-    add_hint (question, _ ("A site inside the hull in the plane sees lower "
-                           "facets alone; one outside may see upper facets "
-                           "too: look at them in space."));
+    add_hint (
+        question,
+        _ ("A site inside the hull in the plane sees only lower facets; one "
+           "outside may see upper facets too: look at them in space."));
     break;
   case TASK_HORIZON:
     add_hint (question, _ ("A ridge of the horizon lies between a facet that "

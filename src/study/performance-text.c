@@ -93,7 +93,7 @@ performance_score_text (const Performance *performance)
 
   g_string_printf (text, _ ("%u of %u right"), score.correct, score.total);
   if (performance->is_over && score.total > 0)
-    g_string_append_printf (text, _ (" (%u %%)"),
+    g_string_append_printf (text, _ (" (%u%%)"),
                             100 * score.correct / score.total);
   if (score.hinted > 0)
     g_string_append_printf (

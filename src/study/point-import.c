@@ -263,7 +263,7 @@ point_import_open (Session *session,
   set = point_import_parse (text, length, path, is_foreign, error);
   if (set == NULL)
     return FALSE;
-  return put_set (session, set, session_open_sites, _ ("opening of a file"),
+  return put_set (session, set, session_open_sites, _ ("opening a file"),
                   error);
 }
 

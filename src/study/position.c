@@ -15,7 +15,7 @@ static gboolean
 refuse (const char *text, GError **error)
 {
   g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
-               _ ("“%s” is no position; write “[before] round R PHASE” with "
+               _ ("“%s” is not a position; write “[before] round R PHASE” with "
                   "PHASE choose, see, horizon, cone or hand-over, or start, "
                   "simplex, complete"),
                text);

@@ -134,7 +134,7 @@ get_text (const Reading *reading,
     *text = json_node_dup_string (node);
     return TRUE;
   }
-  reason = g_strdup_printf (_ ("“%s” is missing, or is no text"), name);
+  reason = g_strdup_printf (_ ("“%s” is missing or is not text"), name);
   return refuse (reading, reason);
 }
 
@@ -152,7 +152,8 @@ get_number (const Reading *reading,
     *number = json_node_get_int (node);
     return TRUE;
   }
-  reason = g_strdup_printf (_ ("“%s” is missing, or is no whole number"), name);
+  reason
+      = g_strdup_printf (_ ("“%s” is missing or is not a whole number"), name);
   return refuse (reading, reason);
 }
 
@@ -179,7 +180,7 @@ get_seconds (const Reading *reading, JsonObject *object, double *seconds)
       = node == NULL ? G_TYPE_INVALID : json_node_get_value_type (node);
 
   if (type != G_TYPE_DOUBLE && type != G_TYPE_INT64)
-    return refuse (reading, _ ("“seconds” is missing, or is no number"));
+    return refuse (reading, _ ("“seconds” is missing or is not a number"));
   *seconds = MAX (json_node_get_double (node), 0);
   return TRUE;
 }
@@ -200,7 +201,7 @@ get_array (const Reading *reading, JsonObject *object, const char *name)
 
   if (node != NULL && JSON_NODE_HOLDS_ARRAY (node))
     return json_node_get_array (node);
-  reason = g_strdup_printf (_ ("“%s” is missing, or is no list"), name);
+  reason = g_strdup_printf (_ ("“%s” is missing or is not a list"), name);
   refuse (reading, reason);
   return NULL;
 }
@@ -224,7 +225,7 @@ read_question (const Reading *reading, JsonNode *node, LessonRecord *lesson)
   QuestionRecord *record;
 
   if (object == NULL)
-    return refuse (reading, _ ("a question is no object"));
+    return refuse (reading, _ ("a question is not an object"));
   if (!get_text (reading, object, "question", &key))
     return FALSE;
   record = lesson_record_question (lesson, key);
@@ -252,7 +253,7 @@ read_lesson (const Reading *reading, JsonNode *node, Progress *progress)
   JsonArray *questions;
 
   if (object == NULL)
-    return refuse (reading, _ ("a lesson is no object"));
+    return refuse (reading, _ ("a lesson is not an object"));
   if (!get_text (reading, object, "lesson", &key))
     return FALSE;
   record = progress_lesson (progress, key);
@@ -295,7 +296,7 @@ read_root (const Reading *reading, JsonNode *node, Progress *progress)
   JsonArray *lessons;
 
   if (root == NULL)
-    return refuse (reading, _ ("it is no object"));
+    return refuse (reading, _ ("it is not an object"));
   if (!check_format (reading, root)
       || !get_text (reading, root, "learner", &progress->learner))
     return FALSE;
@@ -390,8 +391,9 @@ progress_open (Progress *progress)
     kept = keep_aside (progress->path);
   if (kept == NULL)
     return g_strdup (error->message);
-  return g_strdup_printf (_ ("%s. It is kept as %s, and progress begins anew."),
-                          error->message, kept);
+  return g_strdup_printf (
+      _ ("%s. It is kept as %s, and progress starts afresh."), error->message,
+      kept);
 }
 
 /* What others have written since. */

@@ -207,7 +207,7 @@ check_argument (Locating *locating)
   return span_has (trace->facets[argument.number].span,
                    locating->occasion->step)
          || refuse (locating->error,
-                    _ ("%s is no facet of the hull at this place"), name);
+                    _ ("%s is not a facet of the hull at this place"), name);
 }
 
 static gboolean

@@ -445,14 +445,15 @@ find_missing (const Reader *reader)
     return _ ("what is asked? write click, number, delta, choose, which-kind, "
               "order, drag, always, generate or perform");
   if (question->kind == QUESTION_CHOOSE && question->options->len < 2)
-    return _ ("there must be two options at least: option TEXT if CONDITION");
+    return _ ("there must be at least two options: option TEXT if CONDITION");
   if (question->kind != QUESTION_CHOOSE && question->options->len > 0)
     return _ ("options belong to choose one or choose several");
   if (question->kind != QUESTION_PERFORM && question->fresh != NULL)
     return _ ("fresh sites belong to perform");
   if (question->kind == QUESTION_PERFORM
       && (question->prompt != NULL || question->hints->len > 0))
-    return _ ("a performance asks and helps by itself: no prompt and no hint");
+    return _ (
+        "a performance has its own prompts and hints: write neither here");
   return NULL;
 }
 

@@ -106,8 +106,8 @@ REASON (reason_visible)
       || occasion->trace->facets[object.number].facing == FACING_LOWER)
     return sees_sentence (occasion->trace, site, object.number);
   return g_strdup_printf (
-      _ ("s%u sees f%u, but that is no lower facet: it has no triangle."), site,
-      object.number);
+      _ ("s%u sees f%u, but that is not a lower facet: it has no triangle."),
+      site, object.number);
 }
 
 REASON (reason_sees_argument)
@@ -137,7 +137,7 @@ REASON (reason_hand_over)
       row->seen <= occasion->step
           ? _ ("s%u cannot be handed over to f%u: it is visible and will "
                "retire.")
-          : _ ("s%u is not handed over to f%u: it is no facet of the cone."),
+          : _ ("s%u is not handed over to f%u: it is not a facet of the cone."),
       site, object.number);
 }
 
@@ -215,8 +215,8 @@ REASON (reason_new_triangle)
                   "new triangle.");
     break;
   case FACING_UPPER:
-    sentence = _ ("Over ridge s%u s%u an upper facet is born: it is no "
-                  "triangle of the plane.");
+    sentence = _ ("Over ridge s%u s%u an upper facet is born: it has no "
+                  "triangle in the plane.");
     break;
   case FACING_VERTICAL:
   default:
@@ -274,7 +274,7 @@ member_sentence (const Occasion *occasion, guint site, guint facet)
                             site);
   return g_strdup_printf (
       _ ("s%u is not in the outside set of f%u: it is in that of f%u, and each "
-         "waiting site is in one alone."),
+         "waiting site is in only one."),
       site, facet, by);
 }
 
@@ -367,14 +367,13 @@ REASON (reason_corner)
     return no_cell_sentence (object.number);
   if (!is_on_boundary (frame, object.number, &is_corner))
     return g_strdup_printf (
-        _ ("s%u is no corner: it lies inside the hull in the plane."),
+        _ ("s%u is not a corner: it lies inside the hull in the plane."),
         object.number);
-  return g_strdup_printf (
-      is_corner
-          ? _ ("s%u is a corner of the hull in the plane.")
-          : _ ("s%u is no corner: it lies on an edge of the hull, between "
-               "two corners."),
-      object.number);
+  return g_strdup_printf (is_corner
+                              ? _ ("s%u is a corner of the hull in the plane.")
+                              : _ ("s%u is not a corner: it lies on an edge of "
+                                   "the hull, between two corners."),
+                          object.number);
 }
 
 REASON (reason_neighbour)
@@ -392,7 +391,7 @@ REASON (reason_neighbour)
         && (edge->site[0] == site || edge->site[1] == site))
       return g_strdup_printf (
           edge->is_free
-              ? _ ("The cells of s%u and s%u have one point in common, no "
+              ? _ ("The cells of s%u and s%u have one point in common but no "
                    "side: the two lie on one empty circle with others.")
               : _ ("The cells of s%u and s%u have a side in common, and a "
                    "Delaunay edge joins the two."),

@@ -185,8 +185,8 @@ question_instruction (const Question *question)
   case QUESTION_ORDER:
     return g_strdup (_ ("Choose them one after the other."));
   case QUESTION_DRAG:
-    return g_strdup (_ ("Drag in the plane, or use the arrow keys; sites "
-                        "keep to a grid, so that ties can be hit."));
+    return g_strdup (_ ("Drag in the plane, or use the arrow keys; sites snap "
+                        "to a grid, so that ties can be hit."));
   case QUESTION_ALWAYS:
     return g_strdup (_ ("If it is not true, drag sites until it fails."));
   case QUESTION_PERFORM:
@@ -286,7 +286,7 @@ phase_text (guint phase)
   case PHASE_CONE:
     return _ ("build the cone");
   case PHASE_HAND_OVER:
-    return _ ("retire, and hand over the outside sets");
+    return _ ("retire the visible facets, and hand over the outside sets");
   case PHASE_START:
   case PHASE_SIMPLEX:
   case PHASE_COMPLETE:

@@ -51,7 +51,7 @@ put_another (Session *session, Exercise *exercise)
   session->another = exercise;
   session->another_is_own = FALSE;
   session_put_run (session, run_ref (exercise->run), exercise->occasion.step);
-  session_remember_own_sites (session, &kept, _ ("generation of sites"));
+  session_remember_own_sites (session, &kept, _ ("generating sites"));
   session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });
   session_fit (session);

@@ -256,8 +256,8 @@ static const char *
 compare_template (Session *session, const guint apex[2])
 {
   if (session->step == session->run->trace->n_events)
-    return N_ ("Both hulls are complete, and they have the same facets but for "
-               "ties.");
+    return N_ ("Both hulls are complete, and they have the same facets apart "
+               "from ties.");
   if (apex[0] == INDEX_NONE || apex[1] == INDEX_NONE)
     return N_ ("Two runs of the same sites, before their first round.");
   return apex[0] == apex[1]

@@ -28,9 +28,9 @@ make_run (Session *session, const Edit *edit, GError **error)
     return NULL;
   run = run_new (edit->sites, edit->n_sites, &edit->order);
   if (run == NULL)
-    g_set_error (error, SESSION_ERROR, SESSION_ERROR_RANGE,
-                 _ ("these coordinates are too far apart in size to be "
-                    "compared exactly"));
+    g_set_error (
+        error, SESSION_ERROR, SESSION_ERROR_RANGE,
+        _ ("these coordinates differ too much in size to be compared exactly"));
   return run;
 }
 
@@ -226,8 +226,8 @@ session_set_sites (Session *session,
                    GError **error)
 {
   return session_replace_sites (session, sites, n_sites,
-                                n_sites == 0 ? _ ("removal of all sites")
-                                             : _ ("replacement of all sites"),
+                                n_sites == 0 ? _ ("deleting all sites")
+                                             : _ ("replacing all sites"),
                                 error);
 }
 
@@ -249,7 +249,7 @@ session_add_site (Session *session, Site site, GError **error)
   if (run == NULL)
     return session->is_deferred;
   session_hold (session);
-  put_edit (session, run, g_strdup_printf (_ ("addition of s%u"), n_sites));
+  put_edit (session, run, g_strdup_printf (_ ("adding s%u"), n_sites));
   session_fit_extent (session, FALSE);
   session_release (session);
   return TRUE;
@@ -296,7 +296,7 @@ session_move_site (Session *session, guint site, Site to, GError **error)
   if (run == NULL)
     return session->is_deferred;
   session_hold (session);
-  put_edit (session, run, g_strdup_printf (_ ("move of s%u"), site));
+  put_edit (session, run, g_strdup_printf (_ ("moving s%u"), site));
   /* Under a hand the pictures must not move. */
   if (!session->is_dragging)
     session_fit_extent (session, FALSE);
@@ -338,7 +338,7 @@ session_remove_site (Session *session, guint site, GError **error)
   session_hold (session);
   session_set_hover (session, object_without (session->look.hover, site));
   session_forget_site (session, site);
-  put_edit (session, run, g_strdup_printf (_ ("deletion of s%u"), site));
+  put_edit (session, run, g_strdup_printf (_ ("deleting s%u"), site));
   session_release (session);
   return TRUE;
 }

@@ -132,7 +132,7 @@ put_lesson (Session *session, Lesson *lesson)
   if (lesson != NULL)
     enter_state (session, NULL,
                  first_state (lesson_stop (lesson_ref (lesson), 0)),
-                 _ ("opening of a lesson"));
+                 _ ("opening a lesson"));
   else
     leave_lesson (session);
   session->lesson = lesson;

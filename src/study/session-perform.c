@@ -209,7 +209,7 @@ can_perform (const Run *run, GError **error)
   const char *reason = NULL;
 
   if (run->trace->n_rounds == 0)
-    reason = _ ("nothing is inserted here: add sites, five at least");
+    reason = _ ("nothing is inserted here: add sites, at least five");
   else if (run->set->n_sites > QUESTION_MAX_SITES)
     reason = _ ("this question is for at most 200 sites");
   if (reason != NULL)
@@ -252,7 +252,7 @@ begin (Session *session, Question *question, Run *run, const OwnSites *kept)
   session->another_is_own = kept->are_own && run_has_sites_of (run, kept->run);
   question_unref (question);
   put_task (session);
-  session_remember_own_sites (session, kept, _ ("generation of sites"));
+  session_remember_own_sites (session, kept, _ ("generating sites"));
 }
 
 /* Returns: (transfer full): the run of sites that a seed gives; NULL with
@@ -276,7 +276,7 @@ put_fresh (Session *session, const Run *run)
   g_autofree Site *sites = run_given (run);
 
   session_replace_sites (session, sites, run->set->n_sites,
-                         _ ("generation of sites"), NULL);
+                         _ ("generating sites"), NULL);
 }
 
 /* Both pictures, with what can be pointed at in them. */

@@ -72,10 +72,10 @@ check_few_sites (Player *player, const LessonCommand *command)
     return;
   player->is_over = TRUE;
   blame (player, command->line, command->column,
-         g_error_new (LESSON_ERROR, LESSON_ERROR_BROKEN,
-                      _ ("the sets of this lesson have more than %d sites "
-                         "together"),
-                      LESSON_MAX_SITES));
+         g_error_new (
+             LESSON_ERROR, LESSON_ERROR_BROKEN,
+             _ ("the sets of this lesson have more than %d sites in total"),
+             LESSON_MAX_SITES));
 }
 
 /* Leaks: what a person has seen is where a stop comes to rest, not what its
@@ -104,11 +104,11 @@ find_leak (Player *player, const Occasion *occasion)
   if (occasion->reveal == occasion->step || reached == NULL
       || reached->step <= occasion->step)
     return NULL;
-  return g_error_new (LESSON_ERROR, LESSON_ERROR_BROKEN,
-                      _ ("this gives the answer away: the stop of line %u has "
-                         "shown these sites beyond “%s”, or the answer of its "
-                         "question has"),
-                      reached->line, player->stop->question->position);
+  return g_error_new (
+      LESSON_ERROR, LESSON_ERROR_BROKEN,
+      _ ("this gives the answer away: the stop on line %u has shown these "
+         "sites beyond “%s”, or the answer to its question has"),
+      reached->line, player->stop->question->position);
 }
 
 /* Questions */
@@ -147,10 +147,10 @@ check_few_asked (Player *player, GError **error)
   if (player->n_sites_asked <= MAX_SITES_ASKED)
     return TRUE;
   player->is_over = TRUE;
-  g_set_error (error, LESSON_ERROR, LESSON_ERROR_BROKEN,
-               _ ("the questions of this lesson are about more than %d sites "
-                  "together"),
-               MAX_SITES_ASKED);
+  g_set_error (
+      error, LESSON_ERROR, LESSON_ERROR_BROKEN,
+      _ ("the questions of this lesson are about more than %d sites in total"),
+      MAX_SITES_ASKED);
   return FALSE;
 }
 

@@ -150,9 +150,9 @@ session_forget_site (Session *session, guint site)
 static char *
 move_text (const guint32 *selected, guint n)
 {
-  return n == 1 ? g_strdup_printf (_ ("move of s%u"), selected[0])
+  return n == 1 ? g_strdup_printf (_ ("moving s%u"), selected[0])
                 : g_strdup_printf (
-                    ngettext ("move of %u site", "move of %u sites", n), n);
+                    ngettext ("moving %u site", "moving %u sites", n), n);
 }
 
 gboolean
@@ -199,8 +199,8 @@ session_remove_selected (Session *session, GError **error)
   for (guint i = 0; i < n_sites; i++)
     if (!session_is_selected (session, i))
       sites[n_kept++] = sites[i];
-  edit = g_strdup_printf (
-      ngettext ("deletion of %u site", "deletion of %u sites", n), n);
+  edit = g_strdup_printf (ngettext ("deleting %u site", "deleting %u sites", n),
+                          n);
   session_hold (session);
   session_set_selection (session, (Object){ OBJECT_NONE, 0 });
   session_set_hover (session, (Object){ OBJECT_NONE, 0 });

@@ -174,8 +174,8 @@ add_to_range (SiteRange *range, const GArray *sites, GError **error)
 
   if (site_range_add (range, site))
     return TRUE;
-  refuse (_ ("this site's coordinates are too far in size from the others' to "
-             "be compared exactly"),
+  refuse (_ ("this site’s coordinates differ too much in size from the others’ "
+             "to be compared exactly"),
           error);
   return FALSE;
 }
