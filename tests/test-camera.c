@@ -1,5 +1,6 @@
 #include "camera.h"
 #include "clip.h"
+#include "scene.h"
 
 #include <glib.h>
 #include <math.h>
@@ -168,6 +169,55 @@ test_home_is_above (void)
   g_assert_cmpfloat (front.z, <, back.z);
   g_assert_cmpfloat (top.y, <, back.y);
   g_assert_cmpfloat (projection.eye.z, >, 2);
+}
+
+/* Whether a circle at this height is in the view, and the plane as well. */
+static void
+check_in_view (const Projection *projection, double radius, double z)
+{
+  int i;
+
+  for (i = 0; i < 64; i++) {
+    const double x = cos (i * G_PI / 32), y = sin (i * G_PI / 32);
+    const Point3 rim
+        = projection_apply (projection, (Point3){ radius * x, radius * y, z });
+    const Point3 ground = projection_apply (
+        projection, (Point3){ CAMERA_GROUND * x, CAMERA_GROUND * y, 0 });
+
+    g_assert_true (rim.x >= 0 && rim.x <= projection->width && rim.y >= 0
+                   && rim.y <= projection->height);
+    g_assert_true (ground.x >= 0 && ground.x <= projection->width
+                   && ground.y >= 0 && ground.y <= projection->height);
+  }
+}
+
+/* The whole of a paraboloid whose rim is that of the unit circle, however high
+ * it stands; from straight above nothing changes. */
+static void
+test_raised (void)
+{
+  static const double raises[] = { 0, 0.3, RAISE_DEFAULT, 1.2, RAISE_MOST };
+  static const CameraPreset presets[] = { CAMERA_HOME, CAMERA_SIDE };
+  Camera down;
+  guint i, k;
+
+  camera_init (&down, CAMERA_LOOK_DOWN);
+  for (i = 0; i < G_N_ELEMENTS (raises); i++) {
+    const Camera same = camera_raised (&down, raises[i]);
+
+    g_assert_cmpfloat (fabs (same.zoom - down.zoom), <, 1e-12);
+    for (k = 0; k < G_N_ELEMENTS (presets); k++) {
+      Camera camera, raised;
+      Projection projection;
+
+      camera_init (&camera, presets[k]);
+      raised = camera_raised (&camera, raises[i]);
+      projection = camera_projection (&raised, 500, 500);
+      check_in_view (&projection, sqrt (2), raises[i] + 2);
+      g_assert_true (raises[i] != RAISE_DEFAULT
+                     || camera_equal (&camera, &raised));
+    }
+  }
 }
 
 static void
@@ -381,6 +431,8 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/camera/all-of-a-raised-paraboloid-is-in-the-view",
+                   test_raised);
   g_test_add_func ("/camera/looks-along-z-fall-on-the-plane-view", test_follow);
   g_test_add_func ("/camera/the-way-between-cameras-has-no-leaps",
                    test_between);

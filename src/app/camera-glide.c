@@ -90,8 +90,10 @@ begin (CameraGlide *glide, const Camera *to)
 Projection
 camera_glide_projection (CameraGlide *glide, double width, double height)
 {
-  const Camera *camera
-      = session_get_camera (canvas_get_session (glide->canvas));
+  Session *session = canvas_get_session (glide->canvas);
+  const Camera *camera = session_get_camera (session);
+  const double raise = session_get_look (session)->raise;
+  Camera from, to;
 
   if (!glide->has_camera) {
     glide->from = glide->to = *camera;
@@ -100,8 +102,9 @@ camera_glide_projection (CameraGlide *glide, double width, double height)
     begin (glide, camera);
   }
   glide->follows = FALSE;
+  to = camera_raised (&glide->to, raise);
   if (glide->part >= 1)
-    return camera_projection (&glide->to, width, height);
-  return camera_projection_between (&glide->from, &glide->to, glide->part,
-                                    width, height);
+    return camera_projection (&to, width, height);
+  from = camera_raised (&glide->from, raise);
+  return camera_projection_between (&from, &to, glide->part, width, height);
 }

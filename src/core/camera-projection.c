@@ -6,8 +6,11 @@
 /* How much of the shorter side of a view the square -1 … 1 takes. */
 #define PLANE_FILL 0.82
 
-/* The paraboloid stands raised by 0.7 and ends at u² + v² = 2.2 at the most.
- * Half of what home shows of it, at the depth of the centre: */
+/* The paraboloid stands raised by 0.7 and ends at u² + v² = 2.2 at the most. */
+#define HOME_RAISE 0.7
+#define HOME_TALL 2.9
+
+/* Half of what home shows of it, at the depth of the centre: */
 #define HOME_HALF_WIDTH 1.6
 #define HOME_HALF_HEIGHT 1.9
 
@@ -135,6 +138,21 @@ lens_projection (const Lens *lens, double width, double height)
                        ? axis[2]
                        : add_scaled (lens->centre, 1 / lens->fall, axis[2]);
   return projection;
+}
+
+Camera
+camera_raised (const Camera *camera, double raise)
+{
+  const double more = raise - HOME_RAISE;
+  Camera raised = *camera;
+  double upright;
+  Point3 axis[3];
+
+  rotation_rows (camera->turn, axis);
+  upright = sqrt (fmax (0, 1 - axis[2].z * axis[2].z));
+  raised.centre.z += more / 2;
+  raised.zoom *= HOME_TALL / (HOME_TALL + fmax (more, 0) * upright);
+  return raised;
 }
 
 Projection

@@ -105,6 +105,12 @@ void camera_roll (Camera *camera,
                   const double to_px[2],
                   const double size_px[2]);
 
+/* Returns: the camera that shows a paraboloid raised by @raise as whole as
+ *          @camera shows one raised by RAISE_DEFAULT: its middle stays where it
+ *          was, and as much of its height is seen. What lies over the plane
+ *          keeps its scale where one looks along z. */
+Camera camera_raised (const Camera *camera, double raise);
+
 bool projection_equal (const Projection *a, const Projection *b);
 
 Projection

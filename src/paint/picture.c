@@ -31,7 +31,9 @@ picture_has_good_size (const Picture *picture)
 static Projection
 project (const Picture *picture, bool is_space, double width)
 {
-  return is_space ? camera_projection (&picture->camera, width, picture->height)
+  const Camera camera = camera_raised (&picture->camera, picture->look.raise);
+
+  return is_space ? camera_projection (&camera, width, picture->height)
                   : plane_camera_projection (&picture->plane_camera, width,
                                              picture->height);
 }
