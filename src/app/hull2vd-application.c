@@ -76,6 +76,16 @@ on_quit (GSimpleAction *action, GVariant *parameter, gpointer user)
 }
 
 static void
+check_renderer (void)
+{
+  static const char *const names[] = { "", "gl", "cairo", NULL };
+  const char *name = g_getenv ("HULL2VD_RENDERER");
+
+  if (name != NULL && !g_strv_contains (names, name))
+    g_printerr (_ ("HULL2VD_RENDERER=%s: expected gl or cairo\n"), name);
+}
+
+static void
 hull2vd_application_startup (GApplication *application)
 {
   static const GActionEntry entries[]
@@ -89,6 +99,7 @@ hull2vd_application_startup (GApplication *application)
   g_action_map_add_action_entries (G_ACTION_MAP (application), entries,
                                    G_N_ELEMENTS (entries), application);
   keys_check ();
+  check_renderer ();
   set_accelerators (GTK_APPLICATION (application));
 }
 

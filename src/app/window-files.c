@@ -313,16 +313,25 @@ on_drop (GtkWidget *widget,
   g_auto (GStrv) uris = gtk_selection_data_get_uris (data);
   g_autofree guchar *text = gtk_selection_data_get_text (data);
 
+  (void)widget;
   (void)context;
   (void)x;
   (void)y;
   (void)info;
   (void)time;
-  (void)user;
   if (uris != NULL)
-    drop_uris (HULL2VD_WINDOW (widget), uris);
+    drop_uris (user, uris);
   else if (text != NULL)
-    drop_text (HULL2VD_WINDOW (widget), (const char *)text);
+    drop_text (user, (const char *)text);
+}
+
+void
+window_files_take_drops (Hull2vdWindow *window, GtkWidget *widget)
+{
+  gtk_drag_dest_set (widget, GTK_DEST_DEFAULT_ALL, NULL, 0, GDK_ACTION_COPY);
+  gtk_drag_dest_add_uri_targets (widget);
+  gtk_drag_dest_add_text_targets (widget);
+  g_signal_connect (widget, "drag-data-received", G_CALLBACK (on_drop), window);
 }
 
 /* Close */
@@ -359,10 +368,7 @@ window_files_init (Hull2vdWindow *window)
 
   window->watch
       = lesson_watch_new (window->session, tell_faults, window->lesson_panel);
-  gtk_drag_dest_set (widget, GTK_DEST_DEFAULT_ALL, NULL, 0, GDK_ACTION_COPY);
-  gtk_drag_dest_add_uri_targets (widget);
-  gtk_drag_dest_add_text_targets (widget);
-  g_signal_connect (widget, "drag-data-received", G_CALLBACK (on_drop), NULL);
+  window_files_take_drops (window, widget);
   g_signal_connect (widget, "delete-event", G_CALLBACK (on_delete), NULL);
   remember_saved (window);
 }

@@ -111,6 +111,8 @@ gboolean hull2vd_window_focus_wants_key (GtkWidget *focus,
 /* window-files.c: open, save, export. What replaces unsaved sites asks first;
  * window_files_load() does not. */
 void window_files_init (Hull2vdWindow *window);
+/* What is dropped on @widget is opened in @window. */
+void window_files_take_drops (Hull2vdWindow *window, GtkWidget *widget);
 void window_files_new (Hull2vdWindow *window);
 void window_files_open (Hull2vdWindow *window);
 void window_files_open_path (Hull2vdWindow *window, const char *path);

@@ -141,6 +141,7 @@ make_window (Hull2vdWindow *window)
   window_layout_follow_width (space);
   /* Menus and buttons in it find their actions. */
   gtk_widget_insert_action_group (space, "win", G_ACTION_GROUP (window));
+  window_files_take_drops (window, space);
   g_signal_connect (space, "delete-event", G_CALLBACK (on_space_delete),
                     window);
   g_signal_connect (space, "key-press-event", G_CALLBACK (on_space_key),
