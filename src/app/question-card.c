@@ -177,6 +177,21 @@ show_verdict (QuestionCard *card)
   set_class (card, "wrong", verdict != NULL && !verdict->is_right);
 }
 
+/* Long words on a button make it higher, and no picture smaller. */
+static void
+wrap_labels (GtkWidget *widget, gpointer user)
+{
+  if (GTK_IS_BUTTON (widget)
+      && GTK_IS_LABEL (gtk_bin_get_child (GTK_BIN (widget)))) {
+    GtkLabel *label = GTK_LABEL (gtk_bin_get_child (GTK_BIN (widget)));
+
+    gtk_label_set_line_wrap (label, TRUE);
+    gtk_label_set_justify (label, GTK_JUSTIFY_CENTER);
+  } else if (GTK_IS_CONTAINER (widget)) {
+    gtk_container_forall (GTK_CONTAINER (widget), wrap_labels, user);
+  }
+}
+
 /* Between the tasks of a performance there is only one way to go. */
 static void
 show_closed_buttons (QuestionCard *card)
@@ -194,6 +209,7 @@ show_closed_buttons (QuestionCard *card)
   gtk_button_set_label (GTK_BUTTON (card->another), performance == NULL
                                                         ? _ ("Try another")
                                                         : _ ("Fresh sites"));
+  wrap_labels (card->another, NULL);
 }
 
 static void
@@ -321,4 +337,5 @@ static void
 question_card_init (QuestionCard *card)
 {
   gtk_widget_init_template (GTK_WIDGET (card));
+  wrap_labels (GTK_WIDGET (card), NULL);
 }

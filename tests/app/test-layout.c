@@ -317,6 +317,8 @@ test_pictures_keep_their_place (void)
   }
   g_assert_true (session_perform (stage.session, "", NULL));
   assert_same_place (plane, &place);
+  g_assert_true (session_grade (stage.session));
+  assert_same_place (plane, &place);
   session_end_performance (stage.session);
 }
 
