@@ -1,14 +1,21 @@
 #include "side-column.h"
 
-/* Of the height, what the lower child has in any case. */
-#define SHARE_OF_LOWER 0.34
-
 struct _SideColumn {
   GtkContainer parent_instance;
   GPtrArray *children; /* from above */
+  double share;        /* of the height: what the lower one has in any case */
 };
 
 G_DEFINE_TYPE (SideColumn, side_column, GTK_TYPE_CONTAINER)
+
+void
+side_column_set_share (SideColumn *column, double share)
+{
+  if (share == column->share)
+    return;
+  column->share = share;
+  gtk_widget_queue_resize (GTK_WIDGET (column));
+}
 
 /* Children */
 
@@ -96,13 +103,15 @@ side_column_get_preferred_height (GtkWidget *widget, int *minimum, int *natural)
 
 /* Of the lower child; the upper one has the rest. */
 static int
-get_height (GtkWidget *upper, GtkWidget *lower, const GtkAllocation *all)
+get_height (SideColumn *column, const GtkAllocation *all)
 {
+  GtkWidget *upper = g_ptr_array_index (column->children, 0);
+  GtkWidget *lower = g_ptr_array_index (column->children, 1);
   int wanted, least, most;
 
   gtk_widget_get_preferred_height_for_width (upper, all->width, NULL, &wanted);
   gtk_widget_get_preferred_height_for_width (lower, all->width, &least, &most);
-  least = MAX (least, MIN (most, (int)(SHARE_OF_LOWER * all->height)));
+  least = MAX (least, MIN (most, (int)(column->share * all->height)));
   return CLAMP (all->height - wanted, least, MAX (least, most));
 }
 
@@ -118,7 +127,7 @@ side_column_size_allocate (GtkWidget *widget, GtkAllocation *allocation)
 
   gtk_widget_set_allocation (widget, allocation);
   if (gtk_widget_get_visible (upper) && gtk_widget_get_visible (lower)) {
-    below.height = get_height (upper, lower, allocation);
+    below.height = get_height (HULL2VD_SIDE_COLUMN (widget), allocation);
     above.height -= below.height;
     below.y += above.height;
   }

@@ -192,6 +192,26 @@ window_layout_save (Hull2vdWindow *window)
                        (int)session_get_step_size (window->session));
 }
 
+/* Of the column's height: a question leaves less to what is looked up. */
+#define TABS_SHARE 0.34
+#define TABS_SHARE_ASKING 0.2
+
+static void
+share_column (Hull2vdWindow *window)
+{
+  side_column_set_share (HULL2VD_SIDE_COLUMN (window->left_column),
+                         session_is_asking (window->session) ? TABS_SHARE_ASKING
+                                                             : TABS_SHARE);
+}
+
+static void
+on_changed (Session *session, guint changes, Hull2vdWindow *window)
+{
+  (void)session;
+  if (changes & (CHANGED_QUESTION | CHANGED_LESSON | CHANGED_SITES))
+    share_column (window);
+}
+
 static void
 on_tab (GtkStack *stack, GParamSpec *property, GtkAdjustment *adjustment)
 {
@@ -248,6 +268,9 @@ window_layout_init (Hull2vdWindow *window)
   restore (window);
   update_columns (window);
   follow_line (window);
+  share_column (window);
+  g_signal_connect_object (window->session, "changed", G_CALLBACK (on_changed),
+                           window, 0);
   window_layout_follow_width (GTK_WIDGET (window));
   g_signal_connect (window->view_paned, "size-allocate",
                     G_CALLBACK (on_views_allocated), window);
