@@ -1,5 +1,6 @@
 """Drives the real program: its actions over D-Bus, what it shows over AT-SPI,
 pointer and keys through the X server."""
+import contextlib
 import os
 import subprocess
 import time
@@ -50,6 +51,34 @@ def forget_progress():
     """What a program before has kept."""
     if os.path.exists(progress_path()):
         os.remove(progress_path())
+
+
+@contextlib.contextmanager
+def listening():
+    """The sentences that are announced."""
+    heard = []
+    listener = Atspi.EventListener.new(
+        lambda event: heard.append(str(event.any_data)))
+    listener.register("object:announcement")
+    try:
+        yield heard
+    finally:
+        listener.deregister("object:announcement")
+
+
+def hear():
+    """Lets what was announced arrive."""
+    context = GLib.MainContext.default()
+    while context.pending():
+        context.iteration(False)
+    return True
+
+
+def windows():
+    """Their numbers, as the X server knows them."""
+    return set(subprocess.run(
+        ["xdotool", "search", "--onlyvisible", "--class", "hull2vd"],
+        check=False, capture_output=True, text=True).stdout.split())
 
 
 class Program:
