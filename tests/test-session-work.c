@@ -331,6 +331,94 @@ test_loop (void)
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 20000);
 }
 
+static const Order two_orders[2]
+    = { { ORDER_FURTHEST, 0 }, { ORDER_INPUT, 0 } };
+
+/* Two runs beside each other are those that are made at once. */
+static void
+test_compare (void)
+{
+  g_autoptr (Session) session = patient_new (N_LARGE);
+  g_autoptr (Session) at_once = patient_new (N_LARGE);
+  const guint step = session_get_n_steps (session) / 2;
+
+  session_set_patient (at_once, FALSE);
+  session_set_step (session, step);
+  session_set_step (at_once, step);
+  session_compare (at_once, two_orders);
+  session_compare (session, two_orders);
+  g_assert_true (session_is_working (session, NULL));
+  g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_LIFTS);
+  wait (session);
+  g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_COMPARE);
+  g_assert_cmpuint (session_get_step (session), ==, step);
+  g_assert_cmpuint (session_get_other_step (session), ==,
+                    session_get_other_step (at_once));
+  g_assert_cmpuint (session_get_other_trace (session)->n_events, ==,
+                    session_get_other_trace (at_once)->n_events);
+  g_assert_cmpuint (session_get_other_frame (session)->counts.facets, ==,
+                    session_get_other_frame (at_once)->counts.facets);
+  /* An edit brings both. */
+  session_add_site (session, (Site){ 0.5, 0.25 }, NULL);
+  session_add_site (at_once, (Site){ 0.5, 0.25 }, NULL);
+  wait (session);
+  g_assert_cmpuint (session_get_other_trace (session)->n_events, ==,
+                    session_get_other_trace (at_once)->n_events);
+  g_assert_cmpint (session_get_other_order (session).kind, ==, ORDER_INPUT);
+}
+
+static void
+test_compare_cancelled (void)
+{
+  g_autoptr (Session) session = patient_new (N_LARGE);
+  g_autofree char *before = text_of (session);
+  g_autofree char *after = NULL;
+  const Trace *trace = session_get_trace (session);
+
+  session_compare (session,
+                   (const Order[]){ { ORDER_INPUT, 0 }, { ORDER_RANDOM, 3 } });
+  g_assert_true (session_give_up (session));
+  for (guint i = 0; i < 100; i++) {
+    g_main_context_iteration (NULL, FALSE);
+    g_usleep (1000);
+  }
+  after = text_of (session);
+  g_assert_cmpstr (after, ==, before);
+  g_assert_true (session_get_trace (session) == trace);
+  g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_LIFTS);
+  g_assert_cmpint (session_get_other_order (session).kind, ==, ORDER_INPUT);
+  g_assert_false (session_give_up (session));
+}
+
+static void
+on_give_up (gpointer user)
+{
+  *(guint *)user += 1;
+}
+
+static void
+test_chores (void)
+{
+  g_autoptr (Session) session = session_new ();
+  guint n_given_up[2] = { 0, 0 }, changes = 0;
+  guint chores[2];
+
+  g_signal_connect (session, "changed", G_CALLBACK (on_changed), &changes);
+  for (guint i = 0; i < 2; i++)
+    chores[i] = session_begin_chore (session, i == 0 ? "first" : "second",
+                                     on_give_up, &n_given_up[i]);
+  g_assert_cmpstr (session_get_chore (session), ==, "second");
+  session_end_chore (session, chores[1]);
+  g_assert_cmpstr (session_get_chore (session), ==, "first");
+  g_assert_true (session_give_up (session));
+  g_assert_cmpuint (n_given_up[0], ==, 1);
+  g_assert_cmpuint (n_given_up[1], ==, 0);
+  g_assert_null (session_get_chore (session));
+  g_assert_false (session_give_up (session));
+  session_end_chore (session, chores[0]);
+  g_assert_cmpuint (changes, ==, CHANGED_WORK);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -354,5 +442,11 @@ main (int argc, char **argv)
   g_test_add_func ("/session-work/the-last-edit-counts", test_replaced);
   g_test_add_func ("/session-work/a-session-may-go-away", test_left);
   g_test_add_func ("/session-work/the-main-loop-goes-on", test_loop);
+  g_test_add_func ("/session-work/two-runs-are-those-made-at-once",
+                   test_compare);
+  g_test_add_func ("/session-work/a-comparison-given-up-changes-nothing",
+                   test_compare_cancelled);
+  g_test_add_func ("/session-work/what-others-do-is-told-and-given-up-once",
+                   test_chores);
   return g_test_run ();
 }

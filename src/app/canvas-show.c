@@ -13,12 +13,17 @@
  * when nothing has moved for so long. */
 #define SETTLE_MS 120
 
+/* To light so much takes as long as a picture of a large set. */
+#define MUCH_LIGHT 250
+
 struct CanvasShow {
   Canvas *canvas;
   Session *session;
   CanvasScene *scene, *spare;
   CanvasPicture *picture;
-  CanvasWork *work; /* NULL: none is under way */
+  CanvasWork *work;    /* NULL: none is under way */
+  guint chore;         /* of the session, for it */
+  gboolean is_refused; /* the person does not wait for this picture */
   gboolean is_moving;
   gboolean is_settling; /* the next picture is to be a good one */
   guint settle_source;
@@ -42,9 +47,21 @@ canvas_show_new (Canvas *canvas)
 static void
 give_up_work (CanvasShow *show)
 {
-  if (show->work != NULL)
-    canvas_work_give_up (show->work);
+  if (show->work == NULL)
+    return;
+  canvas_work_give_up (show->work);
   show->work = NULL;
+  session_end_chore (show->session, show->chore);
+}
+
+/* The picture that is there stays until something changes. */
+static void
+refuse_work (gpointer user)
+{
+  CanvasShow *show = user;
+
+  give_up_work (show);
+  show->is_refused = TRUE;
 }
 
 void
@@ -104,12 +121,26 @@ canvas_show_pick (CanvasShow *show, const double at_px[2])
   return canvas_scene_pick (show->scene, &projection, at_px, REACH_PX);
 }
 
+/* Whether the scene is there, or made in no time. */
+static gboolean
+has_scene (CanvasShow *show)
+{
+  SceneLook look;
+
+  if (canvas_scene_is_valid (show->scene))
+    return TRUE;
+  if (!canvas_scene_has_stock (show->scene))
+    return FALSE;
+  look = get_look (show);
+  return canvas_scene_relight (show->scene, show->session,
+                               canvas_get_pane (show->canvas), &look);
+}
+
 gboolean
-canvas_show_is_busy (const CanvasShow *show)
+canvas_show_is_busy (CanvasShow *show)
 {
   return show->work != NULL
-         || (session_is_large (show->session)
-             && !canvas_scene_has_stock (show->scene));
+         || (session_is_large (show->session) && !has_scene (show));
 }
 
 gboolean
@@ -125,6 +156,7 @@ canvas_show_invalidate (CanvasShow *show, CanvasChange change)
 {
   const gboolean is_only_look = change == CANVAS_CHANGE_LOOK;
 
+  show->is_refused = FALSE;
   canvas_picture_invalidate (show->picture);
   if (change != CANVAS_CHANGE_PICTURE)
     canvas_scene_invalidate (show->scene, is_only_look);
@@ -223,6 +255,7 @@ on_work_done (CanvasWork *work, gpointer user)
   g_autoptr (GError) error = NULL;
 
   show->work = NULL;
+  session_end_chore (show->session, show->chore);
   canvas_scene_free (show->spare);
   show->spare = show->scene;
   show->scene = g_steal_pointer (&work->scene);
@@ -257,6 +290,8 @@ begin_work (CanvasShow *show, const Projection *projection, Showing *showing)
   canvas_scene_invalidate (show->scene, FALSE);
   canvas_scene_take_roles (show->scene, work->scene);
   show->work = work;
+  show->chore = session_begin_chore (
+      show->session, _ ("The picture is being drawn"), refuse_work, show);
   canvas_work_begin (work, on_work_done, show);
 }
 
@@ -277,9 +312,10 @@ paint_later (CanvasShow *show, const Projection *projection)
   look = get_look (show);
   if (!canvas_scene_relight (show->scene, show->session, pane, &look))
     showing = session_keep_showing (show->session, pane, &look);
-  else if (canvas_picture_has_stock (show->picture,
-                                     canvas_scene_get (show->scene), projection,
-                                     canvas_get_theme (show->canvas)))
+  else if (look.n_selected <= MUCH_LIGHT
+           && canvas_picture_has_stock (
+               show->picture, canvas_scene_get (show->scene), projection,
+               canvas_get_theme (show->canvas)))
     return FALSE;
   begin_work (show, projection, showing);
   return TRUE;
@@ -314,7 +350,7 @@ draw_ground (cairo_t *cr, const Theme *theme)
 void
 canvas_show_draw (CanvasShow *show, cairo_t *cr)
 {
-  if (!canvas_picture_is_valid (show->picture))
+  if (!canvas_picture_is_valid (show->picture) && !show->is_refused)
     paint (show);
   if (!canvas_picture_draw (show->picture, cr))
     draw_ground (cr, canvas_get_theme (show->canvas));

@@ -25,7 +25,7 @@ void canvas_show_invalidate (CanvasShow *show, CanvasChange change);
 
 /* The session has other sites: no work is done for what is quite gone. */
 void canvas_show_check_work (CanvasShow *show);
-gboolean canvas_show_is_busy (const CanvasShow *show);
+gboolean canvas_show_is_busy (CanvasShow *show);
 
 /* Returns: the scene of the session as it is, made when first asked for. */
 const Scene *canvas_show_get_scene (CanvasShow *show);

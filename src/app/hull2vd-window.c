@@ -178,10 +178,8 @@ hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
 
   if (window_blank_key (HULL2VD_WINDOW (widget), event))
     return TRUE;
-  if (event->keyval == GDK_KEY_Escape && session_is_working (session, NULL)) {
-    session_cancel (session);
+  if (event->keyval == GDK_KEY_Escape && session_give_up (session))
     return TRUE;
-  }
   if (hull2vd_window_focus_wants_key (gtk_window_get_focus (window), event)
       && gtk_window_propagate_key_event (window, event))
     return TRUE;
@@ -230,7 +228,7 @@ hull2vd_window_dispose (GObject *object)
 
   window_record_end (window);
   if (window->session != NULL)
-    session_cancel (window->session);
+    session_give_up (window->session);
   g_clear_pointer (&window->watch, lesson_watch_free);
   g_clear_object (&window->session);
   g_clear_object (&window->settings);

@@ -2,7 +2,6 @@
 
 #include "document.h"
 #include "generate-dialog.h"
-#include "number-entry.h"
 #include "point-import.h"
 #include "shortcuts-window.h"
 
@@ -150,12 +149,6 @@ run_paper_bindings (Hull2vdWindow *window)
 }
 
 static void
-run_goto_number (Hull2vdWindow *window)
-{
-  number_entry_show (GTK_WIDGET (window->transport), window->session);
-}
-
-static void
 run_detach_space (Hull2vdWindow *window)
 {
   window_space_detach (window, !window_space_is_detached (window));
@@ -227,7 +220,6 @@ static const Command commands[] = {
   { "add-site-at", run_add_site_at },
   { "move-site-to", run_move_site_to },
   { "generate", run_generate },
-  { "goto-number", run_goto_number },
   { "paper-bindings", run_paper_bindings },
   { "detach-space", run_detach_space },
 };

@@ -1,44 +1,13 @@
 /* Pictures for other programs: what is exported and what is copied. */
 #include "window-private.h"
 
-#include "document.h"
 #include "export-dialog.h"
 #include "file-dialogs.h"
-#include "session-picture.h"
+#include "picture-task.h"
 
-#include <errno.h>
 #include <glib/gi18n.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #define COPY_SCALE 2 /* of pixels; other programs scale lines themselves */
-
-/* Draws the session as it is now.
- *
- * Returns: (transfer full): the file, or NULL when it cannot be drawn. */
-static GBytes *
-draw (Hull2vdWindow *window, Picture *picture, PictureFormat format)
-{
-  const Lesson *lesson = session_get_lesson (window->session);
-  g_autofree char *sentence = session_narrate (window->session);
-  char *bytes = NULL;
-  size_t length = 0;
-  FILE *file = open_memstream (&bytes, &length);
-  gboolean is_drawn;
-
-  if (file == NULL)
-    g_error ("open_memstream: %s", g_strerror (errno));
-  session_picture_take (picture, window->session);
-  picture->title = lesson != NULL ? lesson->title : "Hull2VD";
-  picture->description = sentence;
-  is_drawn = picture_write (picture, session_get_frame (window->session),
-                            format, file);
-  fclose (file);
-  if (is_drawn)
-    return g_bytes_new_with_free_func (bytes, length, free, bytes);
-  free (bytes);
-  return NULL;
-}
 
 /* Export */
 
@@ -60,33 +29,32 @@ export_free (Export *export)
 static const char *const endings[] = { ".svg", ".pdf", ".png" };
 
 static void
+on_exported (PictureFile files[N_PICTURE_FILES],
+             const GError *error,
+             gpointer user)
+{
+  (void)files;
+  if (error != NULL)
+    hull2vd_window_say (user, error->message);
+}
+
+static void
 on_file_chosen (const char *path, gpointer user)
 {
   Export *export = user;
-  g_autoptr (GBytes) bytes = NULL;
-  g_autoptr (GError) error = NULL;
-  PictureFormat format = export->format;
-  gsize length;
-  gconstpointer data;
+  PictureFile file
+      = { export->format, export->picture.scale, (char *)path, NULL };
 
-  if (!picture_format_of (path, &format)) {
+  if (!picture_format_of (path, &file.format)) {
     g_autofree char *message = g_strdup_printf (
         _ ("%s: the name of a picture must end in .svg, .pdf or .png"), path);
 
     hull2vd_window_say (export->window, message);
     return;
   }
-  bytes = draw (export->window, &export->picture, format);
-  if (bytes == NULL) {
-    g_autofree char *message
-        = g_strdup_printf (_ ("%s: the picture could not be drawn"), path);
-
-    hull2vd_window_say (export->window, message);
-    return;
-  }
-  data = g_bytes_get_data (bytes, &length);
-  if (!document_write (path, data, length, &error))
-    hull2vd_window_say (export->window, error->message);
+  picture_task_begin (export->window->session, &export->picture, &file, 1,
+                      on_exported, g_object_ref (export->window),
+                      g_object_unref);
 }
 
 static void
@@ -157,21 +125,39 @@ on_cleared (GtkClipboard *clipboard, gpointer user)
   g_free (copy);
 }
 
+static void
+on_copied (PictureFile files[N_PICTURE_FILES],
+           const GError *error,
+           gpointer user)
+{
+  GtkWidget *window = user;
+  Copy *copy;
+
+  if (error != NULL) {
+    hull2vd_window_say (user, error->message);
+    return;
+  }
+  copy = g_new0 (Copy, 1);
+  copy->svg = g_steal_pointer (&files[0].bytes);
+  copy->png = g_steal_pointer (&files[1].bytes);
+  gtk_clipboard_set_with_data (
+      gtk_widget_get_clipboard (window, GDK_SELECTION_CLIPBOARD), targets,
+      G_N_ELEMENTS (targets), on_wanted, on_cleared, copy);
+}
+
 void
 window_picture_copy (Hull2vdWindow *window)
 {
+  static const PictureFile files[N_PICTURE_FILES]
+      = { { PICTURE_SVG, 1, NULL, NULL },
+          { PICTURE_PNG, COPY_SCALE, NULL, NULL } };
   Session *session = window->session;
-  Copy *copy = g_new0 (Copy, 1);
   Picture picture;
   Theme theme;
 
   theme_init (&theme, session_get_appearance (session));
   picture_init (&picture, PICTURE_BOTH, session_get_frame (session));
   picture.theme = &theme;
-  copy->svg = draw (window, &picture, PICTURE_SVG);
-  picture.scale = COPY_SCALE;
-  copy->png = draw (window, &picture, PICTURE_PNG);
-  gtk_clipboard_set_with_data (
-      gtk_widget_get_clipboard (GTK_WIDGET (window), GDK_SELECTION_CLIPBOARD),
-      targets, G_N_ELEMENTS (targets), on_wanted, on_cleared, copy);
+  picture_task_begin (session, &picture, files, N_PICTURE_FILES, on_copied,
+                      g_object_ref (window), g_object_unref);
 }

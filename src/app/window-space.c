@@ -69,9 +69,9 @@ toggle_fullscreen (GtkWidget *widget)
 static void
 escape (GtkWidget *widget, Hull2vdWindow *window)
 {
-  if (session_is_working (window->session, NULL))
-    session_cancel (window->session);
-  else if (is_fullscreen (widget))
+  if (session_give_up (window->session))
+    return;
+  if (is_fullscreen (widget))
     gtk_window_unfullscreen (GTK_WINDOW (widget));
   else
     gtk_window_close (GTK_WINDOW (widget));

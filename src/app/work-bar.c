@@ -17,30 +17,51 @@ struct _WorkBar {
 G_DEFINE_TYPE (WorkBar, work_bar, GTK_TYPE_REVEALER)
 
 static gboolean
+is_working (WorkBar *bar)
+{
+  return session_is_working (bar->session, NULL)
+         || session_get_chore (bar->session) != NULL;
+}
+
+/* How far a hull is can be told, of other work that it goes on. */
+static gboolean
 on_tick (gpointer user)
 {
   WorkBar *bar = user;
   double part = 0;
 
-  if (!session_is_working (bar->session, &part)) {
-    bar->source = 0;
-    return G_SOURCE_REMOVE;
-  }
-  gtk_progress_bar_set_fraction (bar->progress, CLAMP (part, 0, 1));
+  if (session_is_working (bar->session, &part))
+    gtk_progress_bar_set_fraction (bar->progress, CLAMP (part, 0, 1));
+  else
+    gtk_progress_bar_pulse (bar->progress);
   return G_SOURCE_CONTINUE;
+}
+
+static void
+say (WorkBar *bar)
+{
+  const guint n_sites = session_get_n_awaited (bar->session);
+  AtkObject *progress = gtk_widget_get_accessible (GTK_WIDGET (bar->progress));
+  g_autofree char *text = NULL;
+
+  if (session_is_working (bar->session, NULL))
+    text = g_strdup_printf (ngettext ("The hull of %u site is being computed",
+                                      "The hull of %u sites is being computed",
+                                      n_sites),
+                            n_sites);
+  else
+    text = g_strdup (session_get_chore (bar->session));
+  gtk_label_set_text (bar->label, text);
+  atk_object_set_name (progress, n_sites > 0 ? _ ("Sites inserted")
+                                             : _ ("Work in progress"));
 }
 
 static gboolean
 on_slow (gpointer user)
 {
   WorkBar *bar = user;
-  const guint n_sites = session_get_n_awaited (bar->session);
-  g_autofree char *text = g_strdup_printf (
-      ngettext ("The hull of %u site is being computed",
-                "The hull of %u sites is being computed", n_sites),
-      n_sites);
 
-  gtk_label_set_text (bar->label, text);
+  say (bar);
   gtk_revealer_set_reveal_child (GTK_REVEALER (bar), TRUE);
   bar->source = g_timeout_add (TICK_MS, on_tick, bar);
   on_tick (bar);
@@ -55,15 +76,33 @@ stop (WorkBar *bar)
   bar->source = 0;
 }
 
+/* What follows at once upon what was told of is the same wait. */
+static gboolean
+on_over (gpointer user)
+{
+  WorkBar *bar = user;
+
+  bar->source = 0;
+  gtk_revealer_set_reveal_child (GTK_REVEALER (bar), FALSE);
+  return G_SOURCE_REMOVE;
+}
+
 static void
 on_changed (Session *session, guint changes, WorkBar *bar)
 {
+  const gboolean is_told = gtk_revealer_get_reveal_child (GTK_REVEALER (bar));
+
+  (void)session;
   if ((changes & CHANGED_WORK) == 0)
     return;
+  /* Who waits for one thing after the other waits all the time. */
+  if (!is_told && bar->source != 0 && is_working (bar))
+    return;
   stop (bar);
-  if (!session_is_working (session, NULL))
-    gtk_revealer_set_reveal_child (GTK_REVEALER (bar), FALSE);
-  else if (gtk_revealer_get_reveal_child (GTK_REVEALER (bar)))
+  if (!is_working (bar)) {
+    if (is_told)
+      bar->source = g_timeout_add (TICK_MS, on_over, bar);
+  } else if (is_told)
     on_slow (bar);
   else
     bar->source = g_timeout_add (PATIENCE_MS, on_slow, bar);

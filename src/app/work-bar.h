@@ -1,4 +1,5 @@
-/* The bar that says how far the hull of a large set is, and gives it up. */
+/* The bar that says what a thread works on, how far it is where that is known,
+ * and gives it up. It lies over the pictures: they keep their sizes. */
 #ifndef WORK_BAR_H
 #define WORK_BAR_H
 

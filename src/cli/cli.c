@@ -30,12 +30,8 @@ cli_say (const char *format, ...)
 static void
 print_usage (const CliCommand *command)
 {
-  g_autofree char *line
-      = g_strdup_printf (_ ("usage: hull2vd-cli %s [OPTION…] %s\n"),
-                         command->name, command->arguments);
-
-  /* What takes no file ends without a blank. */
-  fprintf (stderr, "%s\n", g_strchomp (line));
+  fprintf (stderr, _ ("usage: hull2vd-cli %s [OPTION…] %s\n"), command->name,
+           command->arguments);
 }
 
 CliStatus

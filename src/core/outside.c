@@ -182,7 +182,6 @@ static void
 end_partition (HullBuilder *b)
 {
   free (b->head_fronts);
-  b->head_fronts = NULL;
   enqueue_all (b);
 }
 

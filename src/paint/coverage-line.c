@@ -6,8 +6,7 @@
 #include <math.h>
 
 #define TURN 6.28318530717958647692
-#define N_ARC 33    /* corners of half a disc at most */
-#define SLIGHT 1e-3 /* sine of a turn that leaves no gap to be seen */
+#define N_ARC 33 /* corners of half a disc at most */
 
 /* A direction, length 1, turned by a quarter and as long as half the width. */
 static bool
@@ -37,19 +36,12 @@ add_segment (Coverage *coverage, Pixel from, Pixel to, Pixel side)
                     4);
 }
 
-/* Straight pieces that an arc is made of, before it is rounded up. */
-static double
-pieces_of_arc (double angle, double radius)
-{
-  return angle / TURN * (8 + 6 * radius);
-}
-
 /* A slice of a disc round @at, from @side on by @angle, which is positive. */
 static void
 add_slice (Coverage *coverage, Pixel at, Pixel side, double angle)
 {
   const double radius = sqrt (side.x * side.x + side.y * side.y);
-  const double wanted = ceil (pieces_of_arc (angle, radius));
+  const double wanted = ceil (angle / TURN * (8 + 6 * radius));
   const int n = wanted < 1 ? 1 : wanted < N_ARC - 2 ? (int)wanted : N_ARC - 2;
   Pixel corners[N_ARC];
   int i;
@@ -70,24 +62,18 @@ add_join (Coverage *coverage, Pixel at, Pixel before, Pixel after)
 {
   const double cross = before.x * after.y - before.y * after.x;
   const double dot = before.x * after.x + before.y * after.y;
-  const double radius = sqrt (before.x * before.x + before.y * before.y);
-  const double sine = fabs (cross) / (radius * radius);
-  const Pixel from = cross > 0 ? (Pixel){ -before.x, -before.y } : after;
-  const Pixel to = cross > 0 ? (Pixel){ -after.x, -after.y } : before;
+  const double angle = atan2 (fabs (cross), dot);
 
-  if (dot > 0 && sine < SLIGHT)
+  if (angle < 1e-3)
     return;
-  /* Circles turn a little at each of many corners: a triangle will do. An angle
-   * below 1/2 is less than a twentieth longer than its sine. */
-  if (dot > 0 && sine < 0.45 && pieces_of_arc (1.05 * sine, radius) <= 1)
-    coverage_polygon (
-        coverage, (Pixel[3]){ at, plus (at, from, 1), plus (at, to, 1) }, 3);
+  if (cross > 0)
+    add_slice (coverage, at, (Pixel){ -before.x, -before.y }, angle);
   else
-    add_slice (coverage, at, from, atan2 (fabs (cross), dot));
+    add_slice (coverage, at, after, angle);
 }
 
-/* Whether all of some pixels of a line lies above, below or right of what is
- * painted: there it leaves nothing in any sum. */
+/* Whether all of a line lies above, below or right of what is painted: there
+ * it leaves nothing in any sum. */
 static bool
 is_beside (const Coverage *coverage,
            const Pixel *pixels,
@@ -124,12 +110,11 @@ add_dash (Coverage *coverage,
   for (i = 0; i + 1 < n; i++) {
     if (!side_of (pixels[i], pixels[i + 1], half, &side))
       continue;
-    if (!is_beside (coverage, &pixels[i], 2, half + 1))
-      add_segment (coverage, pixels[i], pixels[i + 1], side);
-    if (!has_side)
-      first = side;
-    else if (!is_beside (coverage, &pixels[i], 1, half + 1))
+    add_segment (coverage, pixels[i], pixels[i + 1], side);
+    if (has_side)
       add_join (coverage, pixels[i], last, side);
+    else
+      first = side;
     last = side;
     has_side = true;
   }

@@ -165,18 +165,16 @@ void
 coverage_edge (Coverage *coverage, Pixel from, Pixel to)
 {
   const PixelClip *box = &coverage->box;
-  const PixelClip *clip = &coverage->clip;
-  const float top = (float)most (clip->top - box->top, 0);
-  const float bottom = (float)(least (clip->bottom, box->bottom) - box->top);
+  const float height = (float)(box->bottom - box->top);
   const float a[2]
       = { (float)(from.x - box->left), (float)(from.y - box->top) };
   const float b[2] = { (float)(to.x - box->left), (float)(to.y - box->top) };
 
   if (a[1] < b[1]) {
-    if (b[1] > top && a[1] < bottom)
+    if (b[1] > 0 && a[1] < height)
       add_edge (coverage, a, b, 1);
   } else if (b[1] < a[1]) {
-    if (a[1] > top && b[1] < bottom)
+    if (a[1] > 0 && b[1] < height)
       add_edge (coverage, b, a, -1);
   }
 }

@@ -83,8 +83,7 @@ label_sheet_free (LabelSheet *sheet)
   g_free (sheet);
 }
 
-/* Inline, because a drawing has a hundred thousand places with ink. */
-static inline void
+static void
 spill (LabelSheet *sheet, double x, double y, unsigned char ink)
 {
   /* Rounded towards 0 is rounded down where the sheet is. */
@@ -133,10 +132,8 @@ add_stroke (LabelSheet *sheet, const Pixel ends[2], unsigned char ink)
   range[1] = n;
   narrow (cut[0].x, dx, left, left + sheet->columns * CELL, n, range);
   narrow (cut[0].y, dy, top, top + sheet->rows * CELL, n, range);
-  dx /= n;
-  dy /= n;
   for (i = range[0]; i <= range[1]; i++)
-    spill (sheet, cut[0].x + dx * i, cut[0].y + dy * i, ink);
+    spill (sheet, cut[0].x + dx * i / n, cut[0].y + dy * i / n, ink);
 }
 
 void

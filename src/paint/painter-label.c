@@ -105,14 +105,7 @@ box_near (const Label *label)
                      (float)(label->at.y + reach) };
 }
 
-/* The paraboloid's lines and all others, and marks, are what names avoid. A
- * casing lies under its line. */
-static bool
-has_ink (const Stroke *stroke)
-{
-  return stroke->kind == STROKE_MARK || stroke->kind == STROKE_LINE;
-}
-
+/* The paraboloid's lines and all others, and marks, are what names avoid. */
 static void
 add_ink (const Drawing *drawing, const Stroke *stroke, LabelSheet *sheet)
 {
@@ -120,10 +113,10 @@ add_ink (const Drawing *drawing, const Stroke *stroke, LabelSheet *sheet)
   const Style *style = &drawing->styles[stroke->style];
   uint32_t i;
 
-  if (!has_ink (stroke))
-    return;
   if (stroke->kind == STROKE_MARK)
     label_sheet_mark (sheet, pixels[0], brush_mark_reach (style));
+  if (stroke->kind != STROKE_LINE && stroke->kind != STROKE_CASING)
+    return;
   for (i = 0; i + 1 < stroke->n; i++)
     label_sheet_line (sheet, &pixels[i], style->width);
 }
@@ -216,8 +209,7 @@ add_ink_near (LabelSheet *sheet, const Drawing *drawing, const GArray *labels)
   }
   all = squares_extents (&squares);
   for (i = 0; i < drawing->n_strokes; i++)
-    if (has_ink (&drawing->strokes[i])
-        && boxes_meet (&drawing->strokes[i].box, &all)
+    if (boxes_meet (&drawing->strokes[i].box, &all)
         && squares_meet (&squares, &drawing->strokes[i].box))
       add_ink (drawing, &drawing->strokes[i], sheet);
   squares_clear (&squares);

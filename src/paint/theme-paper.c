@@ -11,7 +11,7 @@
 static const Palette palette = { {
     [INK_BACKGROUND] = 0xffffff,    [INK_PAPER] = 0xffffff,
     [INK_TEXT] = 0x000000,          [INK_SITE] = 0x000000,
-    [INK_APEX] = 0xb800b8,          [INK_HOVER] = 0x3d4a66,
+    [INK_APEX] = 0xb800b8,          [INK_HOVER] = 0x6a2fb0,
     [INK_VISIBLE] = 0xb34700,       [INK_VISIBLE_UPPER] = 0x8f3900,
     [INK_CONE] = 0xb45cf0,          [INK_CONE_LINE] = 0x3d0c80,
     [INK_IN_HAND] = 0x4a2200,       [INK_HORIZON] = 0x000000,

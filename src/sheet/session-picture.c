@@ -30,3 +30,59 @@ session_picture (Picture *picture, Session *session, PictureView view)
   picture_init (picture, view, session_get_frame (session));
   session_picture_take (picture, session);
 }
+
+/* Panes that belong to no session */
+
+struct KeptPanes {
+  Showing *showings[N_PANES]; /* NULL: there is no such pane */
+  gint is_given_up;           /* atomic */
+};
+
+static void
+fill_kept (Scene *scene, int pane, const SceneLook *look, void *user)
+{
+  KeptPanes *kept = user;
+  Showing *showing = kept->showings[pane];
+
+  if (showing == NULL || kept_panes_are_given_up (kept))
+    return;
+  showing->look.low = look->low;
+  showing->look.high = look->high;
+  showing_fill (showing, scene);
+}
+
+KeptPanes *
+session_picture_keep (Picture *picture, Session *session)
+{
+  KeptPanes *kept = g_new0 (KeptPanes, 1);
+
+  session_picture_take (picture, session);
+  for (guint pane = 0; pane < N_PANES; pane++)
+    if (session_get_pane (session, pane) != PANE_NONE)
+      kept->showings[pane]
+          = session_keep_showing (session, pane, &picture->look);
+  picture->look = kept->showings[0]->look;
+  picture->fill = fill_kept;
+  picture->fill_user = kept;
+  return kept;
+}
+
+void
+kept_panes_give_up (KeptPanes *kept)
+{
+  g_atomic_int_set (&kept->is_given_up, 1);
+}
+
+gboolean
+kept_panes_are_given_up (KeptPanes *kept)
+{
+  return g_atomic_int_get (&kept->is_given_up) != 0;
+}
+
+void
+kept_panes_free (KeptPanes *kept)
+{
+  for (guint pane = 0; pane < N_PANES; pane++)
+    showing_free (kept->showings[pane]);
+  g_free (kept);
+}

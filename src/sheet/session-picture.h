@@ -16,6 +16,19 @@ void session_picture (Picture *picture, Session *session, PictureView view);
 /* The same for a picture that has its size, view and theme. */
 void session_picture_take (Picture *picture, Session *session);
 
+/* The same for a picture that another thread paints, whatever the session
+ * shows by then.
+ *
+ * Owns: @picture borrows @kept, and its title, theme and description. */
+typedef struct KeptPanes KeptPanes;
+
+KeptPanes *session_picture_keep (Picture *picture, Session *session);
+
+/* No pane is filled any more; from any thread. */
+void kept_panes_give_up (KeptPanes *kept);
+gboolean kept_panes_are_given_up (KeptPanes *kept);
+void kept_panes_free (KeptPanes *kept);
+
 G_END_DECLS
 
 #endif

@@ -134,8 +134,4 @@ ACTION_RUN (action_redo)
                     error);
 }
 
-ACTION_RUN (action_cancel)
-{
-  session_cancel (session);
-  return TRUE;
-}
+ACTION_RUN (action_cancel) { return session_give_up (session); }

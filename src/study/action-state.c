@@ -174,5 +174,6 @@ ACTION_ENABLED (action_can_redo)
 
 ACTION_ENABLED (action_is_working)
 {
-  return session_is_working (session, NULL);
+  return session_is_working (session, NULL)
+         || session_get_chore (session) != NULL;
 }

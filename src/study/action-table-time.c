@@ -104,11 +104,6 @@ static const Action rows[] = {
     .sentence = N_ ("Go to a step by its number"),
     .where = ACTION_IN_WINDOW,
     .run = action_goto_step },
-  { .name = "goto-number",
-    .sentence = N_ ("Type the number of a stop, or of a step without a lesson, "
-                    "to go to"),
-    .keys = "g",
-    .where = ACTION_IN_WINDOW },
   { .name = "stop",
     .parameter = "u",
     .state = "u",

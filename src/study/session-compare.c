@@ -29,20 +29,46 @@ session_renew_other (Session *session)
   drop_other (session);
 }
 
+static gboolean
+is_same_order (const Order *a, const Order *b)
+{
+  return a->kind == b->kind && a->seed == b->seed;
+}
+
 void
 session_put_other_order (Session *session, const Order *order)
 {
-  if (order->kind == session->other_order.kind
-      && order->seed == session->other_order.seed)
+  if (is_same_order (order, &session->other_order))
     return;
   drop_other (session);
   session->other_order = *order;
   session_tell (session, CHANGED_EXHIBIT | CHANGED_SITES | CHANGED_STEP);
 }
 
+gboolean
+session_defer_compare (Session *session, const Order orders[2])
+{
+  const Order order = session->run->trace->order;
+  g_autofree Site *sites = NULL;
+  Edit edit = { .kind = EDIT_COMPARE,
+                .n_sites = session->run->set->n_sites,
+                .order = orders[0],
+                .other = orders[1] };
+
+  if (session->ready_other != NULL
+      || (session->other != NULL && is_same_order (&order, &orders[0])
+          && is_same_order (&session->other_order, &orders[1])))
+    return FALSE;
+  sites = run_given (session->run);
+  edit.sites = sites;
+  return session_defer (session, &edit);
+}
+
 void
 session_compare (Session *session, const Order orders[2])
 {
+  if (session_defer_compare (session, orders))
+    return;
   session_hold (session);
   session_put_exhibit (session, EXHIBIT_LIFTS, session->step);
   session_set_order (session, &orders[0]);
@@ -53,11 +79,24 @@ session_compare (Session *session, const Order orders[2])
   session_release (session);
 }
 
+void
+session_take_ready_other (Session *session)
+{
+  const Run *ready = session->ready_other;
+
+  if (session->exhibit_kind == EXHIBIT_COMPARE && session->other == NULL
+      && ready != NULL
+      && is_same_order (&ready->trace->order, &session->other_order)
+      && run_has_sites_of (session->run, ready))
+    session->other = g_steal_pointer (&session->ready_other);
+}
+
 static Run *
 get_other (Session *session)
 {
   g_autofree Site *sites = NULL;
 
+  session_take_ready_other (session);
   if (session->other != NULL)
     return session->other;
   sites = run_given (session->run);
@@ -76,17 +115,34 @@ session_get_other_trace (Session *session)
 /* As far into the same phase of the same round; where the one run is at the
  * end of a phase, so is the other. */
 guint
-session_get_other_step (Session *session)
+session_other_step_of (const Run *run, guint step, const Run *other)
 {
-  const Run *other = get_other (session);
-  const Place place = timeline_place (session->run->trace, session->step);
+  const Place place = timeline_place (run->trace, step);
   guint end, other_end;
 
-  if (timeline_find (session->run->trace, place, false, &end)
-      && end == session->step
+  if (timeline_find (run->trace, place, false, &end) && end == step
       && timeline_find (other->trace, place, false, &other_end))
     return other_end;
-  return run_same_place (session->run, session->step, other);
+  return run_same_place (run, step, other);
+}
+
+guint
+session_get_other_step (Session *session)
+{
+  return session_other_step_of (session->run, session->step,
+                                get_other (session));
+}
+
+/* Returns: (transfer full): what a thread has made, if it is for this. */
+static KeptFrame *
+take_ready_other_frame (Session *session, guint step)
+{
+  const KeptFrame *ready = session->ready_other_frame;
+
+  return ready != NULL && ready->frame.trace == session->other->trace
+                 && ready->frame.step == step
+             ? g_steal_pointer (&session->ready_other_frame)
+             : NULL;
 }
 
 KeptFrame *
@@ -97,8 +153,10 @@ session_keep_other_frame (Session *session)
   if (session->other_frame != NULL && session->other_frame->frame.step == step)
     return session->other_frame;
   g_clear_pointer (&session->other_frame, kept_frame_unref);
-  session->other_frame
-      = kept_frame_new (session_get_other_trace (session), step);
+  session->other_frame = take_ready_other_frame (session, step);
+  if (session->other_frame == NULL)
+    session->other_frame
+        = kept_frame_new (session_get_other_trace (session), step);
   kept_frame_share (session->other_frame, get_other (session));
   return session->other_frame;
 }

@@ -83,7 +83,11 @@ session_put_exhibit (Session *session, ExhibitKind kind, guint step)
 void
 session_set_exhibit_kind (Session *session, ExhibitKind kind)
 {
+  const Order orders[2] = { session->run->trace->order, session->other_order };
+
   if (kind == session->exhibit_kind)
+    return;
+  if (kind == EXHIBIT_COMPARE && session_defer_compare (session, orders))
     return;
   session_hold (session);
   session_put_exhibit (session, kind,
@@ -276,9 +280,12 @@ session_keep_showing (Session *session, guint pane, const SceneLook *look)
   KeptFrame *frame;
 
   if (!shows_lifts (session))
-    return NULL;
+    return showing_new_exhibit (session->run, session->exhibit_kind,
+                                &session->turn, session->exhibit_step, pane,
+                                look);
   frame = frame_of_pane (session, pane, &its_look);
-  return showing_new (frame, session_get_pane (session, pane) == PANE_SPACE,
+  return showing_new (frame, session->run,
+                      session_get_pane (session, pane) == PANE_SPACE,
                       &its_look);
 }
 

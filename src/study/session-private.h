@@ -79,8 +79,13 @@ struct _Session {
   guint n_works, finished; /* numbers of the last one begun and finished */
   Run *ready;              /* that a thread has just made … */
   KeptFrame *ready_frame;  /* … and where it will be looked at */
-  gboolean is_deferred;    /* the edit that was asked for last */
-  gboolean ends_later;     /* a drag, when its last run is there */
+  Run *ready_other;        /* the same of a run beside it */
+  KeptFrame *ready_other_frame;
+  gboolean is_deferred; /* the edit that was asked for last */
+  gboolean ends_later;  /* a drag, when its last run is there */
+
+  GArray *chores; /* oldest first; inside of session-chore.c */
+  guint n_chores; /* begun so far */
 
   guint n_held;  /* session_hold() that are not released */
   guint changes; /* told when the last one is */
@@ -102,8 +107,21 @@ KeptFrame *session_keep_other_frame (Session *session);
 /* The run has become another: so does the exhibit of it, at the same place. */
 void session_renew_exhibit (Session *session);
 
+/* Inside of session-chore.c. */
+void session_chores_init (Session *session);
+void session_chores_clear (Session *session);
+
 /* Inside of session-compare.c. */
 void session_renew_other (Session *session);
+
+/* Takes the run that a thread has just made to be compared, if it is wanted. */
+void session_take_ready_other (Session *session);
+
+/* Whether a comparison is put off until a thread has made its runs. */
+gboolean session_defer_compare (Session *session, const Order orders[2]);
+
+/* The step of @other where @run is at @step. */
+guint session_other_step_of (const Run *run, guint step, const Run *other);
 void session_put_other_order (Session *session, const Order *order);
 gboolean session_count_run (Session *session, const char *key, guint *count);
 GPtrArray *session_compare_laws (Session *session);

@@ -7,6 +7,8 @@ struct SessionWork {
   Site *own_sites;
   char *own_name;
   RunWatch watch;
+  gboolean has_other; /* two runs are compared: the other one, too */
+  Order other;
   Run *before;       /* and the step of it that is looked at, */
   guint step;        /* so that the frame can be made, too */
   gboolean has_next; /* a drag that goes on */
@@ -16,8 +18,8 @@ struct SessionWork {
 
 /* What the thread hands over. */
 typedef struct Made {
-  Run *run;
-  KeptFrame *frame;
+  Run *run, *other;
+  KeptFrame *frame, *other_frame;
 } Made;
 
 static void
@@ -26,7 +28,9 @@ made_free (gpointer data)
   Made *made = data;
 
   g_clear_pointer (&made->frame, kept_frame_unref);
+  g_clear_pointer (&made->other_frame, kept_frame_unref);
   g_clear_pointer (&made->run, run_unref);
+  g_clear_pointer (&made->other, run_unref);
   g_free (made);
 }
 
@@ -44,6 +48,9 @@ work_new (Session *session, const Edit *edit)
   work->before
       = run_ref (session->is_dragging ? session->drag_run : session->run);
   work->step = session->is_dragging ? session->drag_step : session->step;
+  work->has_other
+      = edit->kind == EDIT_COMPARE || session->exhibit_kind == EXHIBIT_COMPARE;
+  work->other = edit->kind == EDIT_COMPARE ? edit->other : session->other_order;
   return work;
 }
 
@@ -69,6 +76,29 @@ step_of (const SessionWork *work, const Run *run)
                 : run_same_place (work->before, work->step, run);
 }
 
+/* Returns: (transfer full): NULL: it was given up. */
+static Run *
+make_run (SessionWork *work, const Order *order)
+{
+  const Edit *edit = &work->edit;
+
+  if (run_is_of (work->before, edit->sites, edit->n_sites, order))
+    return run_ref (work->before);
+  return run_new_watched (edit->sites, edit->n_sites, order, &work->watch);
+}
+
+static void
+make_frames (const SessionWork *work, Made *made)
+{
+  const guint step = step_of (work, made->run);
+
+  made->frame = kept_frame_new (made->run->trace, step);
+  if (work->has_other)
+    made->other_frame
+        = kept_frame_new (made->other->trace,
+                          session_other_step_of (made->run, step, made->other));
+}
+
 static void
 make (GTask *task,
       gpointer source,
@@ -76,19 +106,17 @@ make (GTask *task,
       GCancellable *cancellable)
 {
   SessionWork *work = task_data;
-  const Edit *edit = &work->edit;
-  Run *run = run_new_watched (edit->sites, edit->n_sites, &edit->order,
-                              &work->watch);
-  Made *made = NULL;
+  Made *made = g_new0 (Made, 1);
 
   (void)source;
   (void)cancellable;
-  if (run != NULL) {
-    made = g_new0 (Made, 1);
-    made->run = run;
-    if (!g_atomic_int_get (&work->watch.is_cancelled))
-      made->frame = kept_frame_new (run->trace, step_of (work, run));
-  }
+  made->run = make_run (work, &work->edit.order);
+  if (made->run != NULL && work->has_other)
+    made->other = make_run (work, &work->other);
+  if (made->run == NULL || (work->has_other && made->other == NULL))
+    g_clear_pointer (&made, made_free);
+  else if (!g_atomic_int_get (&work->watch.is_cancelled))
+    make_frames (work, made);
   g_task_return_pointer (task, made, made_free);
 }
 
@@ -119,6 +147,9 @@ ask_again (Session *session, const Edit *edit)
   case EDIT_ORDER:
     session_set_order (session, &edit->order);
     break;
+  case EDIT_COMPARE:
+    session_compare (session, (const Order[]){ edit->order, edit->other });
+    break;
   case EDIT_UNDO:
     session_undo (session);
     break;
@@ -138,7 +169,10 @@ carry_out (Session *session, SessionWork *work, Made *made)
   session_tell (session, CHANGED_WORK);
   session->ready = g_steal_pointer (&made->run);
   session->ready_frame = g_steal_pointer (&made->frame);
+  session->ready_other = g_steal_pointer (&made->other);
+  session->ready_other_frame = g_steal_pointer (&made->other_frame);
   ask_again (session, &work->edit);
+  session_take_ready_other (session);
   g_clear_pointer (&session->ready, run_unref);
   if (work->has_next)
     session_move_site (session, work->next_site, work->next_to, NULL);
@@ -146,6 +180,8 @@ carry_out (Session *session, SessionWork *work, Made *made)
     session_end_edit (session);
   session_release (session);
   g_clear_pointer (&session->ready_frame, kept_frame_unref);
+  g_clear_pointer (&session->ready_other_frame, kept_frame_unref);
+  g_clear_pointer (&session->ready_other, run_unref);
 }
 
 static void
@@ -226,11 +262,20 @@ session_set_patient (Session *session, gboolean patient)
   session->is_patient = patient;
 }
 
+/* Circles are long lines, and what is selected is drawn over all else: of
+ * these, fewer sites take as long. */
+#define HEAVY_AT_ONCE 250
+
 gboolean
 session_is_large (Session *session)
 {
+  const SceneLook *look = &session->look;
+  const gboolean is_heavy
+      = (look->layers & LAYER_CIRCLES) != 0 || look->n_selected > HEAVY_AT_ONCE;
+
   return session->is_patient && session->exhibit_kind <= EXHIBIT_COMPARE
-         && session_get_set (session)->n_sites > SESSION_AT_ONCE;
+         && session_get_set (session)->n_sites
+                > (is_heavy ? HEAVY_AT_ONCE : SESSION_AT_ONCE);
 }
 
 gboolean
@@ -241,7 +286,8 @@ session_is_working (Session *session, double *part)
   if (work == NULL)
     return FALSE;
   if (part != NULL)
-    *part = (double)g_atomic_int_get (&work->watch.n_done) / work->edit.n_sites;
+    *part = (double)g_atomic_int_get (&work->watch.n_done) / work->edit.n_sites
+            / (work->has_other ? 2 : 1);
   return TRUE;
 }
 

@@ -16,6 +16,7 @@ typedef enum EditKind {
   EDIT_MOVE,
   EDIT_REMOVE,
   EDIT_ORDER,
+  EDIT_COMPARE,
   EDIT_UNDO,
   EDIT_REDO,
 } EditKind;
@@ -25,6 +26,7 @@ typedef struct Edit {
   const Site *sites; /* as they will be, borrowed */
   guint n_sites;
   Order order;      /* as it will be */
+  Order other;      /* of the run beside it, for EDIT_COMPARE */
   guint site;       /* that is moved or removed */
   Site to;          /* where a site is added, or moved to */
   const char *name; /* for undo, borrowed, or NULL */

@@ -44,6 +44,7 @@ session_init (Session *session)
   session->step = session->run->trace->n_events;
   session->history = history_new ();
   session->answers = g_array_new (FALSE, FALSE, sizeof (SceneAnswer));
+  session_chores_init (session);
   session->speed = 1;
   session->other_order = (Order){ ORDER_INPUT, 0 };
   session->turn.node[0] = session->turn.node[1] = SIGN_MAP_SIDE / 2;
@@ -73,6 +74,7 @@ session_finalize (GObject *object)
   session_question_forget (session);
   session_progress_end (session);
   g_array_unref (session->answers);
+  session_chores_clear (session);
   session_forget_lost_stop (session);
   g_clear_pointer (&session->lesson, lesson_unref);
   g_clear_pointer (&session->selected, g_array_unref);

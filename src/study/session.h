@@ -40,7 +40,7 @@ typedef enum SessionChange {
                                   question is CHANGED_LESSON */
   CHANGED_EXHIBIT = 1 << 9,  /* what is shown of the sites; then sites and step
                                 are said to have changed as well */
-  CHANGED_WORK = 1 << 10,    /* a large set is worked on, or no longer */
+  CHANGED_WORK = 1 << 10,    /* a thread is at work, or no longer */
   CHANGED_STAGING = 1 << 11, /* which pictures, which listing */
 } SessionChange;
 
@@ -140,6 +140,29 @@ gboolean session_is_working (Session *session, double *part);
 guint session_get_work (Session *session); /* its number; 0: none */
 gboolean session_has_finished (Session *session, guint work);
 guint session_get_n_awaited (Session *session); /* sites that it works on */
+
+/* What threads of others work on for the person, as a picture for a file.
+ * Whoever begins a chore ends it, also when it has been given up: @give_up
+ * asks for that once, and may end it at once. */
+typedef void (*SessionGiveUp) (gpointer user);
+
+/* @sentence: what is done, translated.
+ *
+ * Returns: its number, never 0. */
+guint session_begin_chore (Session *session,
+                           const char *sentence,
+                           SessionGiveUp give_up,
+                           gpointer user);
+void session_end_chore (Session *session, guint chore);
+
+/* Returns: the sentence of the one that was begun last; NULL: there is none.
+ */
+const char *session_get_chore (Session *session);
+
+/* Gives up all that threads work on, chores and the hull.
+ *
+ * Returns: FALSE: nothing is worked on. */
+gboolean session_give_up (Session *session);
 
 /* Puts a point of the plane, as scene_site() gives it, on the snap grid:
  * coordinates with few digits, on a power-of-two grid that is fine enough for
@@ -261,7 +284,7 @@ void session_fill_scene (Session *session,
 
 /* The same for later: what a picture shows now.
  *
- * Returns: (transfer full): NULL: the exhibit is none that can be kept. */
+ * Returns: (transfer full): it belongs to no session. */
 Showing *
 session_keep_showing (Session *session, guint pane, const SceneLook *look);
 

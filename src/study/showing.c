@@ -1,16 +1,47 @@
 #include "showing.h"
 
-Showing *
-showing_new (KeptFrame *frame, gboolean is_space, const SceneLook *look)
+static Showing *
+new_with_look (Run *run, const SceneLook *look)
 {
-  Showing *showing = g_new (Showing, 1);
+  Showing *showing = g_new0 (Showing, 1);
   SceneLook *own = &showing->look;
 
-  *showing = (Showing){ kept_frame_ref (frame), is_space, *look };
+  showing->run = run_ref (run);
+  *own = *look;
   own->answers
       = g_memdup2 (look->answers, look->n_answers * sizeof *look->answers);
   own->selected
       = g_memdup2 (look->selected, look->n_selected * sizeof *look->selected);
+  return showing;
+}
+
+Showing *
+showing_new (KeptFrame *frame,
+             Run *run,
+             gboolean is_space,
+             const SceneLook *look)
+{
+  Showing *showing = new_with_look (run, look);
+
+  showing->frame = kept_frame_ref (frame);
+  showing->is_space = is_space;
+  return showing;
+}
+
+Showing *
+showing_new_exhibit (Run *run,
+                     ExhibitKind kind,
+                     const ExhibitTurn *turn,
+                     guint step,
+                     guint pane,
+                     const SceneLook *look)
+{
+  Showing *showing = new_with_look (run, look);
+
+  showing->kind = kind;
+  showing->turn = *turn;
+  showing->step = step;
+  showing->pane = pane;
   return showing;
 }
 
@@ -21,17 +52,27 @@ showing_free (Showing *showing)
     return;
   g_free ((gpointer)showing->look.answers);
   g_free ((gpointer)showing->look.selected);
-  kept_frame_unref (showing->frame);
+  g_clear_pointer (&showing->frame, kept_frame_unref);
+  run_unref (showing->run);
   g_free (showing);
+}
+
+static void
+fill_exhibit (const Showing *showing, Scene *scene)
+{
+  Exhibit *exhibit = exhibit_new (showing->kind, showing->run, &showing->turn);
+
+  exhibit_scene (exhibit, showing->step, showing->pane, scene, &showing->look);
+  exhibit_free (exhibit);
 }
 
 void
 showing_fill (const Showing *showing, Scene *scene)
 {
-  const Frame *frame = &showing->frame->frame;
-
-  if (showing->is_space)
-    scene_space (scene, frame, &showing->look);
+  if (showing->frame == NULL)
+    fill_exhibit (showing, scene);
+  else if (showing->is_space)
+    scene_space (scene, &showing->frame->frame, &showing->look);
   else
-    scene_plane (scene, frame, &showing->look);
+    scene_plane (scene, &showing->frame->frame, &showing->look);
 }

@@ -3,19 +3,34 @@
 #ifndef SHOWING_H
 #define SHOWING_H
 
+#include "exhibit.h"
 #include "kept-frame.h"
 #include "scene.h"
 
 G_BEGIN_DECLS
 
 typedef struct Showing {
-  KeptFrame *frame;
+  KeptFrame *frame; /* NULL: of another exhibit, which is made anew */
+  Run *run;         /* whose hues the look has, and whose exhibit it is */
+  ExhibitKind kind;
+  ExhibitTurn turn;
+  guint step, pane;
   gboolean is_space;
   SceneLook look; /* owns its answers and its selected sites */
 } Showing;
 
-Showing *
-showing_new (KeptFrame *frame, gboolean is_space, const SceneLook *look);
+Showing *showing_new (KeptFrame *frame,
+                      Run *run,
+                      gboolean is_space,
+                      const SceneLook *look);
+
+/* Of an exhibit but the lifts and their comparison. */
+Showing *showing_new_exhibit (Run *run,
+                              ExhibitKind kind,
+                              const ExhibitTurn *turn,
+                              guint step,
+                              guint pane,
+                              const SceneLook *look);
 void showing_free (Showing *showing);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (Showing, showing_free)
 

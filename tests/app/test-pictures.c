@@ -218,6 +218,40 @@ test_cancelled (void)
   stage_clear (&stage);
 }
 
+/* Who does not wait for a picture keeps the one before, until something else
+ * changes; who steps fast sees the last step. */
+static void
+test_refused (void)
+{
+  cairo_surface_t *before, *after;
+  Stage stage;
+
+  stage_init (&stage, N_LARGE);
+  before = draw (stage.views[0]);
+  session_set_step (stage.session, session_get_n_steps (stage.session) / 2);
+  cairo_surface_destroy (draw (stage.views[0]));
+  g_assert_nonnull (session_get_chore (stage.session));
+  g_assert_true (session_give_up (stage.session));
+  g_assert_null (session_get_chore (stage.session));
+  for (guint i = 0; i < 100; i++) {
+    g_main_context_iteration (NULL, FALSE);
+    g_usleep (1000);
+  }
+  after = draw (stage.views[0]);
+  g_assert_null (session_get_chore (stage.session));
+  check_same (before, after);
+  cairo_surface_destroy (before);
+  cairo_surface_destroy (after);
+  for (guint i = 9; i > 3; i--) {
+    session_set_step (stage.session, session_get_n_steps (stage.session) / i);
+    cairo_surface_destroy (draw (stage.views[0]));
+    g_main_context_iteration (NULL, FALSE);
+  }
+  check_pictures (&stage);
+  g_assert_null (session_get_chore (stage.session));
+  stage_clear (&stage);
+}
+
 /* Few sites are shown at once, whatever is still in the making. */
 static void
 test_few (void)
@@ -262,6 +296,8 @@ main (int argc, char **argv)
   g_test_add_func ("/pictures/what-is-lit-is-there-at-once", test_lit);
   g_test_add_func ("/pictures/a-drag-given-up-leaves-all-as-it-was",
                    test_cancelled);
+  g_test_add_func ("/pictures/one-given-up-leaves-the-one-before",
+                   test_refused);
   g_test_add_func ("/pictures/few-sites-are-shown-at-once", test_few);
   g_test_add_func ("/pictures/a-window-may-go-away", test_left);
   return g_test_run ();
