@@ -56,11 +56,15 @@ add_row (SceneBuilder *builder,
   }
 }
 
+/* An outline of the nodes from @low to before @high. */
 static void
-add_node (SceneBuilder *builder, const uint32_t node[2])
+add_outline (SceneBuilder *builder,
+             Role role,
+             const uint32_t low[2],
+             const uint32_t high[2])
 {
-  const double left = border (node[0]), right = border (node[0] + 1);
-  const double bottom = border (node[1]), top = border (node[1] + 1);
+  const double left = border (low[0]), right = border (high[0]);
+  const double bottom = border (low[1]), top = border (high[1]);
   const Point3 corners[5] = { { left, bottom, 0 },
                               { right, bottom, 0 },
                               { right, top, 0 },
@@ -68,7 +72,7 @@ add_node (SceneBuilder *builder, const uint32_t node[2])
                               { left, bottom, 0 } };
   int i;
 
-  scene_add (builder, SHAPE_PATH, ROLE_SIGN_NODE, NO_OBJECT);
+  scene_add (builder, SHAPE_PATH, role, NO_OBJECT);
   for (i = 0; i < 5; i++)
     scene_add_point (builder, corners[i]);
 }
@@ -80,6 +84,8 @@ scene_sign_map (Scene *scene,
                 const uint32_t node[2],
                 const SceneLook *look)
 {
+  static const uint32_t all[2][2]
+      = { { 0, 0 }, { SIGN_MAP_SIDE, SIGN_MAP_SIDE } };
   SceneBuilder builder;
   uint32_t row;
 
@@ -88,7 +94,9 @@ scene_sign_map (Scene *scene,
   builder.pass = PASS_GROUND;
   for (row = SIGN_MAP_SIDE; row-- > 0;)
     add_row (&builder, is_exact ? map->exact[row] : map->rounded[row], row);
-  add_node (&builder, node);
+  add_outline (&builder, ROLE_GROUND, all[0], all[1]);
+  add_outline (&builder, ROLE_SIGN_NODE, node,
+               (const uint32_t[2]){ node[0] + 1, node[1] + 1 });
   scene_light (&builder);
 }
 
