@@ -1,5 +1,6 @@
 #include "code-panel.h"
 
+#include "direction.h"
 #include "focus-order.h"
 #include "pseudocode.h"
 #include "scroll-to.h"
@@ -47,8 +48,10 @@ add_line (CodePanel *panel, const PseudocodeLine *line)
 
   gtk_label_set_xalign (GTK_LABEL (label), 0);
   gtk_label_set_line_wrap (GTK_LABEL (label), TRUE);
-  gtk_widget_set_margin_start (label, INDENT_PX * line->indent);
   gtk_container_add (GTK_CONTAINER (row), label);
+  /* Which side the start is on is asked when it is set. */
+  direction_keep (row);
+  gtk_widget_set_margin_start (label, INDENT_PX * line->indent);
   gtk_list_box_row_set_activatable (GTK_LIST_BOX_ROW (row), FALSE);
   gtk_widget_set_can_focus (row, FALSE);
   gtk_widget_show_all (row);

@@ -1,4 +1,4 @@
-/* Time and formulas run from left to right in every language. */
+/* Time, formulas and code run from left to right in every language. */
 #ifndef DIRECTION_H
 #define DIRECTION_H
 
