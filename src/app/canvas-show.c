@@ -10,8 +10,9 @@
 #define REACH_PX 12.0
 
 /* A picture that was painted roughly, because something moved, is painted well
- * when nothing has moved for so long. */
-#define SETTLE_MS 120
+ * when nothing has moved for so long. It may itself take 120 ms where OpenGL is
+ * software; pointers that move tell so every 20. */
+#define SETTLE_MS 40
 
 /* To light so much takes as long as a picture of a large set. */
 #define MUCH_LIGHT 250

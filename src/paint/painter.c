@@ -17,7 +17,7 @@
 
 /* A scene of so many items may be drawn as a sketch. With fewer of them each
  * is looked at, and they take little time. */
-#define MANY_ITEMS 4000
+#define MANY_ITEMS 2000
 
 /* Ridges behind the hull with no more ink across than this, opaque px, are left
  * out of a sketch: in a crowd that is half of all lines. */
