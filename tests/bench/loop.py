@@ -22,8 +22,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "app"))
 from program import Atspi, GLib, Program, wait, xdotool  # noqa: E402
 
 FOLDER = tempfile.mkdtemp(prefix="hull2vd-")
-LESSON = str(next((pathlib.Path(__file__).resolve().parents[2] / "lessons")
-                  .glob("07-*.md")))
 WATCH = struct.Struct("dd")
 TICKS = os.sysconf("SC_CLK_TCK")
 QUIET_S = 0.5
@@ -82,6 +80,8 @@ class Bench:
     def __init__(self, p, watch, n, only):
         self.p, self.watch, self.n, self.only = p, watch, n, only
         self.rows = {}
+        # While there are few sites: to find them walks through all.
+        self.plane, self.space = p.canvas("Plane"), p.canvas("Space")
 
     def time(self, name, deed):
         if self.only not in name:
@@ -142,8 +142,7 @@ def place(canvas, x, y):
 
 
 def point(bench, p, n):
-    plane = p.extents(p.canvas("Plane"))
-    space = p.extents(p.canvas("Space"))
+    plane, space = p.extents(bench.plane), p.extents(bench.space)
 
     def hover(canvas):
         for i in range(30):
@@ -174,7 +173,8 @@ def edit(bench, p, n):
     bench.do("redo", "redo")
     bench.do("move a site", "move-site", far)
     settle(p)
-    ends = p.site_at(5), place(p.extents(p.canvas("Plane")), 0.4, 0.4)
+    box = p.extents(bench.plane.get_child_at_index(5))
+    ends = place(box, 0.5, 0.5), place(p.extents(bench.plane), 0.4, 0.4)
     bench.time("drag a site", lambda: p.drag(*ends))
     bench.do("remove a site", "remove-site", GLib.Variant("u", 7))
     bench.do("nudge", "nudge", text("right"))
@@ -234,22 +234,6 @@ def show(bench, p, n):
 def save(bench, p, n):
     bench.do("save", "save")
     bench.do("modified?", "new")
-
-
-def lesson(bench, p, n):
-    def close_question():
-        button = p.close_button()
-        if button:
-            button.do_action(0)
-
-    close_question()
-    bench.time("perform", lambda: p.activate("perform", text("")))
-    bench.time("end the performance", lambda: p.activate("end-performance"))
-    bench.time("open a lesson",
-               lambda: p.activate("open-file", text(LESSON)))
-    close_question()
-    for _ in range(3):
-        bench.do("next stop", "next-stop")
 
 
 PARTS = [open_and_step, point, edit, look, show, save]
