@@ -215,6 +215,13 @@ add_ink_near (LabelSheet *sheet, const Drawing *drawing, const GArray *labels)
   squares_clear (&squares);
 }
 
+/* There is ink everywhere then: a name is best next to its mark. */
+static bool
+is_crowd (const Drawing *drawing)
+{
+  return drawing->size < CROWDED;
+}
+
 static void
 place_in_stock (Painter *painter, const Wanted *wanted)
 {
@@ -222,7 +229,8 @@ place_in_stock (Painter *painter, const Wanted *wanted)
   const GArray *labels = wanted->labels;
   LabelSheet *sheet = sheet_new (drawing, labels);
 
-  add_ink_near (sheet, drawing, labels);
+  if (!is_crowd (drawing))
+    add_ink_near (sheet, drawing, labels);
   label_sheet_place (sheet, (Label *)labels->data, labels->len);
   label_sheet_free (sheet);
 }
@@ -236,7 +244,7 @@ has_room_for_names (const Painter *painter)
   const uint32_t n_sites = painter->scene->stock.n_sites;
   const double room = sqrt (area / MAX (n_sites, 1));
 
-  return painter->drawing->size >= CROWDED
+  return !is_crowd (painter->drawing)
          && room >= NAME_ROOM * MIN (painter->theme->text_px, LARGE_TEXT_PX);
 }
 
@@ -260,8 +268,7 @@ painter_add_names (Painter *painter)
 
 /* Names of what is lit */
 
-/* The same of strokes that may be listed. In a crowd there is ink everywhere:
- * a name is best next to its mark. */
+/* The same of strokes that may be listed. */
 static void
 add_ink_of_listed (LabelSheet *sheet,
                    const Drawing *stock,
@@ -270,7 +277,7 @@ add_ink_of_listed (LabelSheet *sheet,
 {
   uint32_t i;
 
-  if (stock->size < CROWDED)
+  if (is_crowd (stock))
     return;
   if (strokes == NULL) {
     add_ink_near (sheet, stock, labels);
