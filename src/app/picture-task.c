@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 typedef struct PictureTask {
-  Session *session; /* of the main loop alone, as the following five */
+  Session *session; /* borrowed; of the main loop alone, as the next five */
   guint chore;
   gboolean is_over; /* nobody is told */
   PictureTaskDone done;
@@ -36,7 +36,6 @@ picture_task_free (gpointer data)
   kept_panes_free (task->panes);
   g_free (task->title);
   g_free (task->description);
-  g_object_unref (task->session);
   g_free (task);
 }
 
@@ -106,14 +105,16 @@ end (PictureTask *task)
   task->destroy (task->user);
 }
 
+/* The session is let go of here: by the task, it might be in the thread. */
 static void
 on_worked (GObject *source, GAsyncResult *result, gpointer user)
 {
+  g_autoptr (Session) session = user;
   PictureTask *task = g_task_get_task_data (G_TASK (result));
   g_autoptr (GError) error = NULL;
 
   (void)source;
-  (void)user;
+  (void)session;
   g_task_propagate_boolean (G_TASK (result), &error);
   if (!task->is_over)
     task->done (task->files, error, task->user);
@@ -135,7 +136,7 @@ picture_task_new (Session *session, const Picture *picture)
   const Lesson *lesson = session_get_lesson (session);
   PictureTask *task = g_new0 (PictureTask, 1);
 
-  task->session = g_object_ref (session);
+  task->session = session;
   task->picture = *picture;
   task->theme = *picture->theme;
   task->panes = session_picture_keep (&task->picture, session);
@@ -157,7 +158,8 @@ picture_task_begin (Session *session,
                     GDestroyNotify destroy)
 {
   PictureTask *task = picture_task_new (session, picture);
-  g_autoptr (GTask) job = g_task_new (NULL, NULL, on_worked, NULL);
+  g_autoptr (GTask) job
+      = g_task_new (NULL, NULL, on_worked, g_object_ref (session));
 
   for (guint i = 0; i < n_files; i++) {
     task->files[i] = files[i];
