@@ -22,9 +22,10 @@ struct CanvasShow {
   Session *session;
   CanvasScene *scene, *spare;
   CanvasPicture *picture;
-  CanvasWork *work;    /* NULL: none is under way */
-  guint chore;         /* of the session, for it */
-  gboolean is_refused; /* the person does not wait for this picture */
+  CanvasWork *work;      /* NULL: none is under way */
+  guint chore;           /* of the session, for it */
+  gboolean is_refused;   /* the person does not wait for this picture */
+  gboolean is_undressed; /* it is not of the theme and sizes that are wanted */
   gboolean is_moving;
   gboolean is_settling; /* the next picture is to be a good one */
   guint settle_source;
@@ -137,11 +138,17 @@ has_scene (CanvasShow *show)
                                canvas_get_pane (show->canvas), &look);
 }
 
+/* While GTK dresses all widgets anew, the main loop has enough to do. */
+static gboolean
+is_large (const CanvasShow *show)
+{
+  return session_is_large (show->session, show->is_undressed);
+}
+
 gboolean
 canvas_show_is_busy (CanvasShow *show)
 {
-  return show->work != NULL
-         || (session_is_large (show->session) && !has_scene (show));
+  return show->work != NULL || (is_large (show) && !has_scene (show));
 }
 
 gboolean
@@ -158,6 +165,8 @@ canvas_show_invalidate (CanvasShow *show, CanvasChange change)
   const gboolean is_only_look = change == CANVAS_CHANGE_LOOK;
 
   show->is_refused = FALSE;
+  if (change == CANVAS_CHANGE_APPEARANCE)
+    show->is_undressed = TRUE;
   canvas_picture_invalidate (show->picture);
   if (change != CANVAS_CHANGE_PICTURE)
     canvas_scene_invalidate (show->scene, is_only_look);
@@ -232,6 +241,8 @@ note_painted (CanvasShow *show, const GError *error)
   if (error != NULL)
     tell_trouble (show, error);
   show->is_settling = FALSE;
+  if (canvas_picture_is_valid (show->picture))
+    show->is_undressed = FALSE;
   if (canvas_picture_is_rough (show->picture))
     settle_later (show);
 }
@@ -304,7 +315,7 @@ paint_later (CanvasShow *show, const Projection *projection)
   Showing *showing = NULL;
   SceneLook look;
 
-  if (!session_is_large (show->session)) {
+  if (!is_large (show)) {
     give_up_work (show);
     return FALSE;
   }

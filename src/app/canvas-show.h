@@ -13,11 +13,12 @@ typedef struct CanvasShow CanvasShow;
 CanvasShow *canvas_show_new (Canvas *canvas); /* borrowed; it has a session */
 void canvas_show_free (CanvasShow *show);
 
-/* What has changed: all but what is seen from elsewhere; the look alone; or
- * where it is seen from. */
+/* What has changed: all but what is seen from elsewhere; the look alone; the
+ * theme or sizes, which change all widgets too; or where it is seen from. */
 typedef enum CanvasChange {
   CANVAS_CHANGE_SCENE,
   CANVAS_CHANGE_LOOK,
+  CANVAS_CHANGE_APPEARANCE,
   CANVAS_CHANGE_PICTURE,
 } CanvasChange;
 

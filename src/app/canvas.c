@@ -292,6 +292,8 @@ change_of (Canvas *canvas, guint changes)
   if ((changes & MATTERS) == CHANGED_CAMERA
       && HULL2VD_CANVAS_GET_CLASS (canvas)->is_space)
     return CANVAS_CHANGE_PICTURE;
+  if ((changes & MATTERS) == CHANGED_APPEARANCE)
+    return CANVAS_CHANGE_APPEARANCE;
   return changes == CHANGED_LOOK ? CANVAS_CHANGE_LOOK : CANVAS_CHANGE_SCENE;
 }
 

@@ -184,14 +184,15 @@ carry_out (Session *session, SessionWork *work, Made *made)
   g_clear_pointer (&session->ready_other, run_unref);
 }
 
+/* The session is let go of here: by the task, it might be in the thread. */
 static void
 on_made (GObject *source, GAsyncResult *result, gpointer user)
 {
-  Session *session = HULL2VD_SESSION (source);
+  g_autoptr (Session) session = user;
   SessionWork *work = g_task_get_task_data (G_TASK (result));
   Made *made = g_task_propagate_pointer (G_TASK (result), NULL);
 
-  (void)user;
+  (void)source;
   if (made == NULL)
     return;
   if (session->work == work)
@@ -234,7 +235,7 @@ session_defer (Session *session, const Edit *edit)
   session_cancel (session);
   session->work = work_new (session, edit);
   session->n_works += 1;
-  task = g_task_new (session, NULL, on_made, NULL);
+  task = g_task_new (NULL, NULL, on_made, g_object_ref (session));
   g_task_set_task_data (task, session->work, work_free);
   g_task_run_in_thread (task, make);
   session_tell (session, CHANGED_WORK);
@@ -267,12 +268,12 @@ session_set_patient (Session *session, gboolean patient)
 #define HEAVY_AT_ONCE 250
 
 gboolean
-session_is_large (Session *session)
+session_is_large (Session *session, gboolean is_heavy)
 {
   const SceneLook *look = &session->look;
-  const gboolean is_heavy
-      = (look->layers & LAYER_CIRCLES) != 0 || look->n_selected > HEAVY_AT_ONCE;
 
+  is_heavy = is_heavy || (look->layers & LAYER_CIRCLES) != 0
+             || look->n_selected > HEAVY_AT_ONCE;
   return session->is_patient && session->exhibit_kind <= EXHIBIT_COMPARE
          && session_get_set (session)->n_sites
                 > (is_heavy ? HEAVY_AT_ONCE : SESSION_AT_ONCE);

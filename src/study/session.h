@@ -289,8 +289,10 @@ Showing *
 session_keep_showing (Session *session, guint pane, const SceneLook *look);
 
 /* Whether what is shown can be kept, and there are so many sites that pictures
- * of it take longer than the main loop of a patient session should wait. */
-gboolean session_is_large (Session *session);
+ * of it take longer than the main loop of a patient session should wait.
+ *
+ * @is_heavy: it has much else to do for them. */
+gboolean session_is_large (Session *session, gboolean is_heavy);
 
 /* Brings a scene that the session has filled to another look: scene_relight().
  * Nothing but the look has changed since then.

@@ -233,7 +233,8 @@ test_refused (void)
   g_assert_nonnull (session_get_chore (stage.session));
   g_assert_true (session_give_up (stage.session));
   g_assert_null (session_get_chore (stage.session));
-  for (guint i = 0; i < 100; i++) {
+  /* The picture of space is another one. */
+  for (guint i = 0; i < 100 || session_get_chore (stage.session) != NULL; i++) {
     g_main_context_iteration (NULL, FALSE);
     g_usleep (1000);
   }
@@ -270,6 +271,26 @@ test_few (void)
   stage_clear (&stage);
 }
 
+/* While GTK dresses all widgets, a few hundred sites are enough to wait for. */
+static void
+test_dressed (void)
+{
+  Appearance dark;
+  Stage stage;
+
+  stage_init (&stage, 300);
+  dark = *session_get_own_appearance (stage.session);
+  dark.theme = THEME_DARK;
+  session_set_own_appearance (stage.session, &dark);
+  cairo_surface_destroy (draw (stage.views[0]));
+  g_assert_true (canvas_is_busy (HULL2VD_CANVAS (stage.views[0])));
+  check_pictures (&stage);
+  session_set_step (stage.session, session_get_n_steps (stage.session) / 2);
+  cairo_surface_destroy (draw (stage.views[0]));
+  g_assert_false (canvas_is_busy (HULL2VD_CANVAS (stage.views[0])));
+  stage_clear (&stage);
+}
+
 /* A window that goes while its pictures are in the making. */
 static void
 test_left (void)
@@ -299,6 +320,7 @@ main (int argc, char **argv)
   g_test_add_func ("/pictures/one-given-up-leaves-the-one-before",
                    test_refused);
   g_test_add_func ("/pictures/few-sites-are-shown-at-once", test_few);
+  g_test_add_func ("/pictures/another-theme-comes-later", test_dressed);
   g_test_add_func ("/pictures/a-window-may-go-away", test_left);
   return g_test_run ();
 }
