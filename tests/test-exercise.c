@@ -415,10 +415,41 @@ test_what_is_no_answer_is_refused (void)
   g_assert_false (action_run (session, "check", NULL, NULL));
 }
 
+/* By whatever way they would come, and in the same words. */
+static void
+test_its_sites_stay_while_it_asks (void)
+{
+  static const char *const edits[][2] = {
+    { "add-site", "(0.25, 0.25)" }, { "move-site", "(uint32 0, 0.5, 0.0)" },
+    { "remove-site", "uint32 0" },  { "sites", "'random 9 seed 1'" },
+    { "nudge", "'left'" },          { "delete-selection", NULL }
+  };
+  g_autoptr (Session) session = begin ();
+  const guint n_sites = session_get_set (session)->n_sites;
+  g_autoptr (GError) first = NULL;
+
+  g_assert_false (session_can_edit (session, &first));
+  act (session, "select", g_variant_new_string ("s2"));
+  for (guint i = 0; i < G_N_ELEMENTS (edits); i++) {
+    g_autoptr (GError) error = NULL;
+    GVariant *parameter
+        = edits[i][1] == NULL ? NULL : g_variant_new_parsed (edits[i][1]);
+
+    g_assert_false (action_run (session, edits[i][0], parameter, &error));
+    g_assert_cmpstr (error->message, ==, first->message);
+  }
+  assert_state (session, "open");
+  g_assert_cmpuint (session_get_set (session)->n_sites, ==, n_sites);
+  act (session, "show-answer", NULL);
+  act (session, "remove-site", g_variant_new_uint32 (0));
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
 } tests[] = {
+  { "/exercise/its-sites-stay-while-it-asks",
+    test_its_sites_stay_while_it_asks },
   { "/exercise/a-question-stops-before-its-event",
     test_a_question_stops_before_its_event },
   { "/exercise/the-mask-leaves-no-role-of-the-round",

@@ -12,14 +12,26 @@ site_edit_at (Session *session, Point3 point)
   return session_snap (session, scene_site (session_get_look (session), point));
 }
 
+/* Says why not. In a performance all that is pressed is an answer. */
+static gboolean
+can_edit (Canvas *canvas)
+{
+  Session *session = canvas_get_session (canvas);
+  g_autoptr (GError) error = NULL;
+
+  if (session_can_edit (session, &error))
+    return !session_is_asking (session);
+  canvas_fail (canvas, error);
+  return FALSE;
+}
+
 void
 site_edit_add (Canvas *canvas, Point3 point)
 {
   Session *session = canvas_get_session (canvas);
   g_autoptr (GError) error = NULL;
 
-  /* A question is about the sites as they are. */
-  if (session_is_asking (session))
+  if (!can_edit (canvas))
     return;
   if (!session_add_site (session, site_edit_at (session, point), &error)) {
     canvas_fail (canvas, error);
@@ -108,7 +120,7 @@ site_edit_nudge (Canvas *canvas, const double by[2], gboolean is_far)
   double length;
 
   if (cursor.kind != OBJECT_SITE || cursor.number >= set->n_sites
-      || session_is_asking (session))
+      || !can_edit (canvas))
     return FALSE;
   if (!is_nudging (canvas))
     session_begin_edit (session);
@@ -138,8 +150,7 @@ site_edit_remove (Canvas *canvas)
   g_autoptr (GError) error = NULL;
   gboolean is_removed;
 
-  if (cursor.kind != OBJECT_SITE
-      || session_is_asking (canvas_get_session (canvas)))
+  if (cursor.kind != OBJECT_SITE || !can_edit (canvas))
     return FALSE;
   is_removed = session_is_selected (session, cursor.number)
                    ? session_remove_selected (session, &error)

@@ -88,6 +88,18 @@ run_copy (Hull2vdWindow *window)
       text, -1);
 }
 
+/* Says why not. */
+static gboolean
+can_edit (Hull2vdWindow *window)
+{
+  g_autoptr (GError) error = NULL;
+
+  if (session_can_edit (window->session, &error))
+    return TRUE;
+  hull2vd_window_say (window, error->message);
+  return FALSE;
+}
+
 static void
 on_clipboard_text (GtkClipboard *clipboard, const char *text, gpointer user)
 {
@@ -117,7 +129,8 @@ run_paste (Hull2vdWindow *window)
 static void
 run_add_site_at (Hull2vdWindow *window)
 {
-  coordinate_entry_add (window->coordinate_entry);
+  if (can_edit (window))
+    coordinate_entry_add (window->coordinate_entry);
 }
 
 static void
@@ -125,13 +138,15 @@ run_move_site_to (Hull2vdWindow *window)
 {
   const Object selection = session_get_look (window->session)->selection;
 
-  if (selection.kind == OBJECT_SITE)
+  if (selection.kind == OBJECT_SITE && can_edit (window))
     coordinate_entry_move (window->coordinate_entry, selection.number);
 }
 
 static void
 run_generate (Hull2vdWindow *window)
 {
+  if (!can_edit (window))
+    return;
   if (window->generate_dialog == NULL)
     window->generate_dialog
         = generate_dialog_new (GTK_WINDOW (window), window->session);

@@ -3,6 +3,18 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+gboolean
+session_can_edit (Session *session, GError **error)
+{
+  if (session->is_replaying || !session_is_asking (session)
+      || session_get_performance (session) != NULL)
+    return TRUE;
+  g_set_error (error, SESSION_ERROR, SESSION_ERROR_ASKED,
+               _ ("the question is about the sites as they are: answer it, or "
+                  "go on, before you change them"));
+  return FALSE;
+}
+
 /* Returns: (transfer full): the run that an edit leads to; the
  *          lesson's own when they are the sites of its stop, so that its steps
  *          are valid again. NULL with @error set, or without when a thread
@@ -129,8 +141,11 @@ session_edit_sites (Session *session,
                     GError **error)
 {
   const Edit edit = edit_of (session, EDIT_PUT, sites, n_sites, name);
-  Run *run = make_run (session, &edit, error);
+  Run *run;
 
+  if (!session_can_edit (session, error))
+    return FALSE;
+  run = make_run (session, &edit, error);
   if (run == NULL)
     return session->is_deferred;
   put_edit (session, run, g_strdup (name));
@@ -185,11 +200,11 @@ put_sites (Session *session, Run *run, const char *edit)
 }
 
 gboolean
-session_replace_sites (Session *session,
-                       const Site *sites,
-                       guint n_sites,
-                       const char *name,
-                       GError **error)
+session_put_sites (Session *session,
+                   const Site *sites,
+                   guint n_sites,
+                   const char *name,
+                   GError **error)
 {
   const Edit edit = edit_of (session, EDIT_REPLACE, sites, n_sites, name);
   Run *run = make_run (session, &edit, error);
@@ -198,6 +213,17 @@ session_replace_sites (Session *session,
     return session->is_deferred;
   put_sites (session, run, name);
   return TRUE;
+}
+
+gboolean
+session_replace_sites (Session *session,
+                       const Site *sites,
+                       guint n_sites,
+                       const char *name,
+                       GError **error)
+{
+  return session_can_edit (session, error)
+         && session_put_sites (session, sites, n_sites, name, error);
 }
 
 gboolean
@@ -242,6 +268,8 @@ session_add_site (Session *session, Site site, GError **error)
                 .to = site };
   Run *run;
 
+  if (!session_can_edit (session, error))
+    return FALSE;
   sites = g_renew (Site, sites, n_sites + 1);
   sites[n_sites] = site;
   edit.sites = sites;
@@ -283,7 +311,7 @@ session_move_site (Session *session, guint site, Site to, GError **error)
                 .to = to };
   Run *run;
 
-  if (!has_site (session, site, error))
+  if (!session_can_edit (session, error) || !has_site (session, site, error))
     return FALSE;
   if (session_defer_move (session, &edit))
     return TRUE;
@@ -325,7 +353,7 @@ session_remove_site (Session *session, guint site, GError **error)
   guint n_sites;
   Run *run;
 
-  if (!has_site (session, site, error))
+  if (!session_can_edit (session, error) || !has_site (session, site, error))
     return FALSE;
   n_sites = session->run->set->n_sites - 1;
   sites = run_given (session->run);

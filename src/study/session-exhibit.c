@@ -215,20 +215,37 @@ session_get_pane (Session *session, guint pane)
   return PANE_NONE;
 }
 
+static char *
+order_title (const Order *order)
+{
+  g_autofree char *seed = g_strdup_printf ("%" G_GUINT64_FORMAT, order->seed);
+
+  switch (order->kind) {
+  case ORDER_FURTHEST:
+    return g_strdup (_ ("Order: furthest"));
+  case ORDER_INPUT:
+    return g_strdup (_ ("Order: input"));
+  case ORDER_RANDOM:
+    return g_strdup_printf (_ ("Order: random %s"), seed);
+  case ORDER_SEEDED:
+    return g_strdup (_ ("Order: seeded"));
+  case ORDER_HILBERT:
+    return g_strdup (_ ("Order: Hilbert curve"));
+  }
+  g_assert_not_reached ();
+}
+
 char *
 session_get_pane_title (Session *session, guint pane)
 {
   const Order orders[N_PANES]
       = { session->run->trace->order, session->other_order };
-  g_autofree char *order = NULL;
 
   switch (session->exhibit_kind) {
   case EXHIBIT_LIFTS:
     break;
   case EXHIBIT_COMPARE:
-    order = session_order_name (&orders[pane]);
-    /* Translators: the order of insertion, furthest, input, random 7. */
-    return g_strdup_printf (_ ("Order: %s"), order);
+    return order_title (&orders[pane]);
   case EXHIBIT_PLANAR:
     return g_strdup (_ ("Hull in the plane"));
   case EXHIBIT_SIGNS:

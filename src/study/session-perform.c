@@ -275,8 +275,8 @@ put_fresh (Session *session, const Run *run)
 {
   g_autofree Site *sites = run_given (run);
 
-  session_replace_sites (session, sites, run->set->n_sites,
-                         _ ("generating sites"), NULL);
+  session_put_sites (session, sites, run->set->n_sites, _ ("generating sites"),
+                     NULL);
 }
 
 /* Both pictures, with what can be pointed at in them. */

@@ -210,6 +210,13 @@ guint session_last_step_allowed (Session *session);
 /* Returns: (transfer full): the coordinates as given. */
 Site *session_copy_sites (Session *session);
 
+/* session_replace_sites(), for the next sites of a question too. */
+gboolean session_put_sites (Session *session,
+                            const Site *sites,
+                            guint n_sites,
+                            const char *edit,
+                            GError **error);
+
 /* Puts other sites in place as the edit @edit, a noun; the place in time and
  * what is selected stay as far as they still exist. */
 gboolean session_edit_sites (Session *session,

@@ -193,6 +193,8 @@ session_remove_selected (Session *session, GError **error)
 
   if (n == 0)
     return TRUE;
+  if (!session_can_edit (session, error))
+    return FALSE;
   if (n == 1)
     return session_remove_site (session, selected[0], error);
   sites = session_copy_sites (session);

@@ -126,8 +126,7 @@ ask_again (Session *session, const Edit *edit)
 {
   switch (edit->kind) {
   case EDIT_REPLACE:
-    session_replace_sites (session, edit->sites, edit->n_sites, edit->name,
-                           NULL);
+    session_put_sites (session, edit->sites, edit->n_sites, edit->name, NULL);
     break;
   case EDIT_OPEN:
     session_open_sites (session, edit->sites, edit->n_sites, edit->name, NULL);

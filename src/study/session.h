@@ -66,6 +66,7 @@ GQuark session_error_quark (void);
 typedef enum SessionError {
   SESSION_ERROR_SITE,  /* there is no such site */
   SESSION_ERROR_RANGE, /* no exact scaling fits the coordinates */
+  SESSION_ERROR_ASKED, /* a question is asked about the sites as they are */
 } SessionError;
 
 /* Sites. All edits can be undone and redone. Coordinates are those that are
@@ -77,6 +78,12 @@ const Trace *session_get_trace (Session *session);
  * order. */
 Order session_get_order (Session *session);
 void session_set_order (Session *session, const Order *order);
+
+/* All that follow but session_open_sites() are refused while a question is
+ * asked about the sites; a performance ends by them.
+ *
+ * Returns: FALSE with @error set while that is so. */
+gboolean session_can_edit (Session *session, GError **error);
 
 /* Replaces all sites, fits the views and goes to the last step. */
 gboolean session_set_sites (Session *session,
