@@ -1,7 +1,7 @@
 /* Sets so large that a thread makes their hull: what a person sees of it, in
  * the order in which it happens. */
 #include "document.h"
-#include "session.h"
+#include "session-chore.h"
 
 #include <string.h>
 

@@ -4,6 +4,7 @@
 #include "canvas-picture.h"
 #include "canvas-scene.h"
 #include "canvas-work.h"
+#include "session-chore.h"
 
 #include <glib/gi18n.h>
 

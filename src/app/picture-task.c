@@ -1,6 +1,7 @@
 #include "picture-task.h"
 
 #include "document.h"
+#include "session-chore.h"
 #include "session-picture.h"
 
 #include <errno.h>

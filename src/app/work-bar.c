@@ -1,5 +1,7 @@
 #include "work-bar.h"
 
+#include "session-chore.h"
+
 #include <glib/gi18n.h>
 
 /* What is there at once needs no bar. */

@@ -1,5 +1,6 @@
 #include "action-private.h"
 #include "object-name.h"
+#include "session-chore.h"
 
 ACTION_STATE (action_state_step)
 {

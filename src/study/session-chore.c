@@ -1,5 +1,7 @@
 /* What threads of others work on: told of as long as it lasts, and given up
  * when the person wants that. */
+#include "session-chore.h"
+
 #include "session-private.h"
 
 typedef struct Chore {

@@ -148,24 +148,6 @@ guint session_get_work (Session *session); /* its number; 0: none */
 gboolean session_has_finished (Session *session, guint work);
 guint session_get_n_awaited (Session *session); /* sites that it works on */
 
-/* What threads of others work on for the person, as a picture for a file.
- * Whoever begins a chore ends it, also when it has been given up: @give_up
- * asks for that once, and may end it at once. */
-typedef void (*SessionGiveUp) (gpointer user);
-
-/* @sentence: what is done, translated.
- *
- * Returns: its number, never 0. */
-guint session_begin_chore (Session *session,
-                           const char *sentence,
-                           SessionGiveUp give_up,
-                           gpointer user);
-void session_end_chore (Session *session, guint chore);
-
-/* Returns: the sentence of the one that was begun last; NULL: there is none.
- */
-const char *session_get_chore (Session *session);
-
 /* Gives up all that threads work on, chores and the hull.
  *
  * Returns: FALSE: nothing is worked on. */

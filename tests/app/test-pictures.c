@@ -2,6 +2,7 @@
  * as the session changes. Needs a display: run by tests/headless.sh. */
 #include "document.h"
 #include "plane-view.h"
+#include "session-chore.h"
 #include "space-view.h"
 
 #include <string.h>

@@ -1,0 +1,178 @@
+/* Names: beside what they name, and on nothing else. */
+#include "drawing.h"
+#include "fixture.h"
+#include "label.h"
+#include "picture.h"
+
+#include <glib.h>
+#include <math.h>
+
+static gboolean
+overlap (const Label *a, const Label *b)
+{
+  return a->low.x < b->low.x + b->width && b->low.x < a->low.x + a->width
+         && a->low.y < b->low.y + b->height && b->low.y < a->low.y + a->height;
+}
+
+static gboolean
+covers_mark (const Label *label, Pixel at, double reach)
+{
+  const double x = CLAMP (at.x, label->low.x, label->low.x + label->width);
+  const double y = CLAMP (at.y, label->low.y, label->low.y + label->height);
+
+  return hypot (at.x - x, at.y - y) < reach - 2;
+}
+
+/* Where there is room, names sit on no mark, on no other name, within the
+ * view. */
+static void
+test_labels (void)
+{
+  enum { N = 30 };
+  g_autoptr (GRand) rand = g_rand_new_with_seed (5);
+  LabelSheet *sheet = label_sheet_new (600, 600, NULL);
+  Label labels[N] = { 0 };
+  int i, k;
+
+  for (i = 0; i < N; i++) {
+    labels[i] = (Label){ .text = "s1",
+                         .at = { 10 + g_rand_double (rand) * 580,
+                                 10 + g_rand_double (rand) * 580 },
+                         .reach = 7,
+                         .width = 24,
+                         .height = 14 };
+    label_sheet_mark (sheet, labels[i].at, 7);
+  }
+  label_sheet_place (sheet, labels, N);
+  for (i = 0; i < N; i++) {
+    g_assert_true (labels[i].is_placed);
+    g_assert_true (labels[i].low.x >= 0 && labels[i].low.x + 24 <= 600
+                   && labels[i].low.y >= 0 && labels[i].low.y + 14 <= 600);
+    for (k = 0; k < N; k++) {
+      g_assert_false (covers_mark (&labels[i], labels[k].at, 7));
+      g_assert_false (i != k && overlap (&labels[i], &labels[k]));
+    }
+  }
+  label_sheet_free (sheet);
+}
+
+/* A name keeps off a line that runs through its favourite place. */
+static void
+test_labels_avoid_lines (void)
+{
+  LabelSheet *sheet = label_sheet_new (200, 200, NULL);
+  Label label = {
+    .text = "s1", .at = { 100, 100 }, .reach = 7, .width = 24, .height = 14
+  };
+  const Pixel right_up[2] = { { 100, 100 }, { 200, 0 } };
+  int i;
+
+  label_sheet_line (sheet, right_up, 3);
+  label_sheet_place (sheet, &label, 1);
+  g_assert_true (label.is_placed);
+  for (i = 0; i <= 100; i++) {
+    const double x = 100 + i, y = 100 - i;
+
+    g_assert_false (x > label.low.x && x < label.low.x + 24 && y > label.low.y
+                    && y < label.low.y + 14);
+  }
+  label_sheet_free (sheet);
+}
+
+/* A name in the middle of a heavy line lies beside all its width. */
+static void
+test_labels_avoid_heavy_lines (void)
+{
+  LabelSheet *sheet = label_sheet_new (200, 200, NULL);
+  const Pixel upright[2] = { { 100, 0 }, { 100, 200 } };
+  Label label = { .text = "e6",
+                  .at = { 100, 100 },
+                  .width = 20,
+                  .height = 14,
+                  .is_centred = true };
+
+  label_sheet_line (sheet, upright, 9);
+  label_sheet_place (sheet, &label, 1);
+  g_assert_true (label.is_placed);
+  g_assert_true (label.low.x + label.width <= 100 - 4.5
+                 || label.low.x >= 100 + 4.5);
+  label_sheet_free (sheet);
+}
+
+/* Returns: how many names a plane of so many sites of a side of 300 px has. */
+static guint
+count_names (Family family, guint n_sites)
+{
+  g_autoptr (Fixture) fixture
+      = fixture_new (family, 1, n_sites, ORDER_FURTHEST);
+  Names *names = names_new ();
+  Drawing *drawing = drawing_new (names);
+  Picture picture;
+  Projection projection;
+  Scene scene = { .items = NULL };
+  Frame frame;
+  guint n;
+
+  frame_init (&frame, fixture->trace, fixture->trace->n_events);
+  picture_init (&picture, PICTURE_PLANE, &frame);
+  projection = plane_camera_projection (&picture.plane_camera, 300, 300);
+  scene_look_fit (&picture.look, &projection, 0);
+  scene_plane (&scene, &frame, &picture.look);
+  drawing_set (drawing, &scene, &projection, theme_get (THEME_DARK));
+  n = drawing->n_placed;
+  scene_clear (&scene);
+  drawing_free (drawing);
+  names_free (names);
+  frame_clear (&frame);
+  return n;
+}
+
+/* Names do not hide what they name. */
+static void
+test_names_need_room (void)
+{
+  g_assert_cmpuint (count_names (FAMILY_RANDOM, 12), ==, 12);
+  g_assert_cmpuint (count_names (FAMILY_RANDOM, 90), ==, 0);
+}
+
+/* The important are never left out, the others are where there is no room. */
+static void
+test_labels_are_left_out (void)
+{
+  enum { N = 60 };
+  LabelSheet *sheet = label_sheet_new (80, 80, NULL);
+  Label labels[N];
+  int i, n_placed = 0;
+
+  for (i = 0; i < N; i++) {
+    const int row = i / 8;
+
+    labels[i] = (Label){ .text = "s1",
+                         .at = { 40 + i % 8, 40 + row },
+                         .reach = 5,
+                         .width = 24,
+                         .height = 14,
+                         .is_important = i == N - 1 };
+    label_sheet_mark (sheet, labels[i].at, 5);
+  }
+  label_sheet_place (sheet, labels, N);
+  for (i = 0; i < N; i++)
+    n_placed += labels[i].is_placed;
+  g_assert_true (labels[N - 1].is_placed);
+  g_assert_cmpint (n_placed, <, N);
+  label_sheet_free (sheet);
+}
+
+int
+main (int argc, char **argv)
+{
+  g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/label/names-sit-on-no-mark-and-no-name", test_labels);
+  g_test_add_func ("/label/names-keep-off-lines", test_labels_avoid_lines);
+  g_test_add_func ("/label/names-keep-off-the-width-of-heavy-lines",
+                   test_labels_avoid_heavy_lines);
+  g_test_add_func ("/label/a-crowd-has-no-names", test_names_need_room);
+  g_test_add_func ("/label/only-the-unimportant-are-left-out",
+                   test_labels_are_left_out);
+  return g_test_run ();
+}
