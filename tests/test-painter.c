@@ -312,7 +312,7 @@ test_swatches (void)
     guint n = 0;
     int x, y;
 
-    painter_swatch (cr, (Role)role, theme_get (THEME_LIGHT), 36, 18);
+    painter_swatch (cr, (Role)role, LIT_NONE, theme_get (THEME_LIGHT), 36, 18);
     cairo_destroy (cr);
     cairo_surface_flush (surface);
     for (y = 0; y < 18; y++)

@@ -61,6 +61,7 @@ static const char *const role_texts[N_ROLES] = {
   [ROLE_VISIBLE_EDGE] = N_ ("edge will go"),
   [ROLE_CONE_EDGE] = N_ ("new edge"),
   [ROLE_SEEN_EDGE] = N_ ("{p} is beyond it"),
+  [ROLE_LIT] = N_ ("selected"),
   [ROLE_HULL_EDGE] = N_ ("hull edge"),
   [ROLE_ROUNDED_EDGE] = N_ ("hull, rounded"),
   [ROLE_SIGN_NODE] = N_ ("current node"),
@@ -206,6 +207,25 @@ is_in_view (LegendPanel *panel, Role role)
   return FALSE;
 }
 
+/* What is selected is told of as long as there is something; what the pointer
+ * is over speaks for itself. */
+static gboolean
+is_told_of (LegendPanel *panel, Role role)
+{
+  const SceneLook *look = session_get_look (panel->session);
+
+  if (role == ROLE_LIT)
+    return look->selection.kind != OBJECT_NONE;
+  return template_of (role, panel->session) != NULL && is_in_view (panel, role);
+}
+
+/* A selection is given up, not hidden. */
+static gboolean
+is_switch (Role role)
+{
+  return role != ROLE_LIT;
+}
+
 static void
 update_row (LegendPanel *panel, Role role, const char *text)
 {
@@ -216,9 +236,9 @@ update_row (LegendPanel *panel, Role role, const char *text)
       text);
   g_autofree char *told = gtk_widget_get_tooltip_text (panel->rows[role]);
 
-  if (g_strcmp0 (told, tooltip) == 0)
-    return;
   gtk_label_set_text (GTK_LABEL (panel->names[role]), text);
+  if (!is_switch (role) || g_strcmp0 (told, tooltip) == 0)
+    return;
   gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (panel->rows[role]), is_on);
   gtk_widget_set_tooltip_text (panel->rows[role], tooltip);
   atk_object_set_name (gtk_widget_get_accessible (panel->rows[role]), text);
@@ -236,8 +256,7 @@ update (LegendPanel *panel)
 
     if (panel->rows[role] == NULL)
       continue;
-    is_shown = template_of (role, panel->session) != NULL
-               && is_in_view (panel, role);
+    is_shown = is_told_of (panel, role);
     if (is_shown != gtk_widget_get_visible (panel->rows[role]))
       panel->is_arranged = FALSE;
     gtk_widget_set_visible (panel->rows[role], is_shown);
@@ -268,6 +287,16 @@ on_changed (Session *session, guint changes, LegendPanel *panel)
     gtk_widget_queue_draw (GTK_WIDGET (panel));
 }
 
+/* A site that is selected has a ring, all else an outline. */
+static Role
+sample_of (LegendPanel *panel, Role role)
+{
+  const SceneLook *look = session_get_look (panel->session);
+
+  return role == ROLE_LIT && look->selection.kind == OBJECT_SITE ? ROLE_SITE
+                                                                 : role;
+}
+
 /* On the pictures' own background, whatever the desktop's theme is. */
 static gboolean
 on_draw_swatch (GtkWidget *widget, cairo_t *cr, gpointer user)
@@ -275,11 +304,14 @@ on_draw_swatch (GtkWidget *widget, cairo_t *cr, gpointer user)
   LegendPanel *panel = HULL2VD_LEGEND_PANEL (
       gtk_widget_get_ancestor (widget, LEGEND_PANEL_TYPE));
   const Theme *theme = canvas_get_theme (g_ptr_array_index (panel->views, 0));
+  const Role role = (Role)GPOINTER_TO_INT (user);
+  const gboolean is_lit = role == ROLE_LIT || role == ROLE_CIRCLE_SELECTED;
+  const Lit lit = is_lit ? LIT_SELECTED : LIT_NONE;
   const Colour ground = theme->background;
 
   cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);
   cairo_paint (cr);
-  painter_swatch (cr, (Role)GPOINTER_TO_INT (user), theme,
+  painter_swatch (cr, sample_of (panel, role), lit, theme,
                   gtk_widget_get_allocated_width (widget),
                   gtk_widget_get_allocated_height (widget));
   return TRUE;
@@ -302,8 +334,11 @@ on_toggled (GtkToggleButton *row, LegendPanel *panel)
 static GtkWidget *
 row_new (LegendPanel *panel, Role role)
 {
-  GtkWidget *row = gtk_toggle_button_new ();
+  GtkWidget *row;
 
+  if (!is_switch (role))
+    return gtk_event_box_new ();
+  row = gtk_toggle_button_new ();
   gtk_button_set_relief (GTK_BUTTON (row), GTK_RELIEF_NONE);
   gtk_widget_set_focus_on_click (row, FALSE);
   gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (row), TRUE);

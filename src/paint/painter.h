@@ -32,8 +32,13 @@ void painter_paint (cairo_t *cr,
 
 #define PAINTER_MARGIN 24.0
 
-/* Draws the legend's sample of a role, centred in @width × @height. */
-void painter_swatch (
-    cairo_t *cr, Role role, const Theme *theme, double width, double height);
+/* Draws the legend's sample of a role, lit or not, centred in @width ×
+ * @height. */
+void painter_swatch (cairo_t *cr,
+                     Role role,
+                     Lit lit,
+                     const Theme *theme,
+                     double width,
+                     double height);
 
 #endif

@@ -83,6 +83,7 @@ scale (Style *style, double factor)
   style->gap *= factor;
   style->radius *= factor;
   style->ring_gap *= factor;
+  style->halo_width *= factor;
 }
 
 /* Heavy looks are made smaller until a mark is whole, a line leaves ground
@@ -108,13 +109,21 @@ fit (Style *style, Sample sample, const double size[2])
 }
 
 void
-painter_swatch (
-    cairo_t *cr, Role role, const Theme *theme, double width, double height)
+painter_swatch (cairo_t *cr,
+                Role role,
+                Lit lit,
+                const Theme *theme,
+                double width,
+                double height)
 {
-  const SceneItem item = { .role = role, .emphasis = EMPHASIS_NORMAL };
+  const Sample sample = sample_of (role);
+  const SceneItem item
+      = { .role = role,
+          .shape = sample == SAMPLE_AREA ? SHAPE_POLYGON : SHAPE_MARK,
+          .emphasis = EMPHASIS_NORMAL,
+          .lit = lit };
   Style style = theme_style (theme, &item);
   const double size[2] = { width, height };
-  const Sample sample = sample_of (role);
 
   fit (&style, sample, size);
   cairo_save (cr);
