@@ -75,30 +75,37 @@ add_index (GlBatch *batch, uint32_t vertex)
   batch->runs[batch->n_runs - 1].n++;
 }
 
-/* The part of a polygon that the edge from @first to @last cuts off. It is
- * halved again and again: triangles that all met in one corner would be
- * splinters, which take long to fill. */
-static void
-join_part (GlBatch *batch, uint32_t first, uint32_t last)
+bool
+gl_cut_next (GlCut *cut, uint32_t n, uint32_t triangle[3])
 {
-  const uint32_t middle = first + (last - first) / 2;
+  for (; n >= 3 && cut->step < n - 1; cut->step *= 2) {
+    const uint32_t middle = cut->first + cut->step;
 
-  if (middle == first)
-    return;
-  add_index (batch, first);
-  add_index (batch, middle);
-  add_index (batch, last);
-  join_part (batch, first, middle);
-  join_part (batch, middle, last);
+    if (middle < n - 1) {
+      triangle[0] = cut->first;
+      triangle[1] = middle;
+      triangle[2] = middle + cut->step < n ? middle + cut->step : n - 1;
+      cut->first = triangle[2];
+      return true;
+    }
+    cut->first = 0;
+  }
+  return false;
 }
 
 void
 gl_batch_join (GlBatch *batch, uint32_t n)
 {
-  if (n < 3)
-    return;
-  gl_batch_begin_run (batch, GL_RUN_STROKES);
-  join_part (batch, batch->n_vertices - n, batch->n_vertices - 1);
+  const uint32_t first = batch->n_vertices - n;
+  GlCut cut = GL_CUT_INIT;
+  uint32_t triangle[3];
+  int i;
+
+  if (n >= 3)
+    gl_batch_begin_run (batch, GL_RUN_STROKES);
+  while (gl_cut_next (&cut, n, triangle))
+    for (i = 0; i < 3; i++)
+      add_index (batch, first + triangle[i]);
 }
 
 static void

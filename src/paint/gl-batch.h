@@ -77,6 +77,18 @@ typedef struct GlInk {
 void
 gl_batch_add (GlBatch *batch, const GlInk *ink, Pixel at, const float local[3]);
 
+/* The way through a convex polygon that is cut into triangles: every other
+ * corner is cut off, and again, until none is left. Triangles that all met in
+ * one corner would be splinters, which take long to fill. */
+typedef struct GlCut {
+  uint32_t first, step;
+} GlCut;
+
+#define GL_CUT_INIT ((GlCut){ 0, 1 })
+
+/* Returns: false: the polygon of @n corners is cut up. */
+bool gl_cut_next (GlCut *cut, uint32_t n, uint32_t triangle[3]);
+
 /* Joins the last @n vertices as a convex polygon. */
 void gl_batch_join (GlBatch *batch, uint32_t n);
 

@@ -34,29 +34,6 @@ place (const GlBatch *batch, GlBareVertex *vertex, Pixel at)
   vertex->at[1] = (float)(at.y * batch->scale);
 }
 
-/* As gl_batch_join() does. */
-static void
-add_part (GlBatch *batch,
-          const Pixel *corners,
-          const uint32_t ends[2],
-          const GlBareVertex *any)
-{
-  const uint32_t middle = ends[0] + (ends[1] - ends[0]) / 2;
-  const uint32_t triangle[3] = { ends[0], middle, ends[1] };
-  GlBareVertex *vertices;
-  int i;
-
-  if (middle == ends[0])
-    return;
-  vertices = grow (batch, GL_RUN_TRIANGLES, 3);
-  for (i = 0; i < 3; i++) {
-    vertices[i] = *any;
-    place (batch, &vertices[i], corners[triangle[i]]);
-  }
-  add_part (batch, corners, &triangle[0], any);
-  add_part (batch, corners, &triangle[1], any);
-}
-
 void
 gl_sketch_polygon (GlBatch *batch,
                    const Pixel *corners,
@@ -64,11 +41,19 @@ gl_sketch_polygon (GlBatch *batch,
                    Colour colour)
 {
   GlBareVertex any = { 0 };
+  GlCut cut = GL_CUT_INIT;
+  uint32_t triangle[3];
+  int i;
 
-  if (n < 3)
-    return;
   gl_batch_bytes (colour, any.colour);
-  add_part (batch, corners, (uint32_t[2]){ 0, n - 1 }, &any);
+  while (gl_cut_next (&cut, n, triangle)) {
+    GlBareVertex *vertices = grow (batch, GL_RUN_TRIANGLES, 3);
+
+    for (i = 0; i < 3; i++) {
+      vertices[i] = any;
+      place (batch, &vertices[i], corners[triangle[i]]);
+    }
+  }
 }
 
 static bool
