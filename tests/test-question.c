@@ -199,7 +199,7 @@ test_reasons_are_in_the_words_of_the_mathematics (void)
     { SQUARE4,
       "complete\nclick neighbours s0",
       { OBJECT_SITE, 2 },
-      "The cells of s0 and s2 have one point in common, no side" },
+      "The cells of s0 and s2 have one point in common but no side" },
     { LECTURE8,
       "before round 1 choose\nclick furthest-site",
       { OBJECT_SITE, 7 },
