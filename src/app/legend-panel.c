@@ -212,10 +212,13 @@ is_in_view (LegendPanel *panel, Role role)
 static gboolean
 is_told_of (LegendPanel *panel, Role role)
 {
-  const SceneLook *look = session_get_look (panel->session);
+  const ObjectKind selected = session_get_look (panel->session)->selection.kind;
 
   if (role == ROLE_LIT)
-    return look->selection.kind != OBJECT_NONE;
+    return selected != OBJECT_NONE;
+  if (role == ROLE_CIRCLE_SELECTED
+      && (selected == OBJECT_NONE || selected == OBJECT_SITE))
+    return FALSE;
   return template_of (role, panel->session) != NULL && is_in_view (panel, role);
 }
 
