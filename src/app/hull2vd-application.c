@@ -6,6 +6,7 @@
 #include "progress-keeper.h"
 #include "window-private.h"
 
+#include <glib-unix.h>
 #include <glib/gi18n.h>
 #include <sysexits.h>
 
@@ -85,6 +86,34 @@ check_renderer (void)
     g_printerr (_ ("HULL2VD_RENDERER=%s: expected gl or cairo\n"), name);
 }
 
+/* What is in no file is kept for the next start: nobody is there to be
+ * asked. */
+static gboolean
+on_terminate (gpointer user)
+{
+  GList *windows
+      = g_list_copy (gtk_application_get_windows (GTK_APPLICATION (user)));
+
+  for (GList *node = windows; node != NULL; node = node->next)
+    if (HULL2VD_IS_WINDOW (node->data)) {
+      window_recovery_flush (node->data);
+      gtk_widget_destroy (node->data);
+    }
+  g_list_free (windows);
+  progress_keeper_flush ();
+  g_application_quit (user);
+  return G_SOURCE_CONTINUE;
+}
+
+static void
+watch_signals (GApplication *application)
+{
+  static const int numbers[] = { SIGHUP, SIGINT, SIGTERM };
+
+  for (guint i = 0; i < G_N_ELEMENTS (numbers); i++)
+    g_unix_signal_add (numbers[i], on_terminate, application);
+}
+
 static void
 hull2vd_application_startup (GApplication *application)
 {
@@ -101,9 +130,23 @@ hull2vd_application_startup (GApplication *application)
   keys_check ();
   check_renderer ();
   set_accelerators (GTK_APPLICATION (application));
+  watch_signals (application);
 }
 
 /* Windows */
+
+/* The first one asks about what is left over. */
+static Hull2vdWindow *
+new_window (GApplication *application)
+{
+  const gboolean is_first
+      = gtk_application_get_windows (GTK_APPLICATION (application)) == NULL;
+  Hull2vdWindow *window = hull2vd_window_new (GTK_APPLICATION (application));
+
+  if (is_first)
+    window_recovery_offer (window);
+  return window;
+}
 
 static Hull2vdWindow *
 get_window (GApplication *application)
@@ -113,7 +156,7 @@ get_window (GApplication *application)
 
   if (HULL2VD_IS_WINDOW (window))
     return HULL2VD_WINDOW (window);
-  return hull2vd_window_new (GTK_APPLICATION (application));
+  return new_window (application);
 }
 
 /* The lesson that the person was in, else the first one. */
@@ -173,7 +216,7 @@ open_file (GApplication *application, GFile *file, gboolean is_alone)
   if (window != NULL && !window_files_is_modified (window))
     open_in (window, path, FALSE);
   else
-    open_in (hull2vd_window_new (GTK_APPLICATION (application)), path, TRUE);
+    open_in (new_window (application), path, TRUE);
 }
 
 /* Of several files the first may take the place of what is there, the others

@@ -227,6 +227,7 @@ hull2vd_window_dispose (GObject *object)
   Hull2vdWindow *window = HULL2VD_WINDOW (object);
 
   window_record_end (window);
+  window_recovery_end (window);
   if (window->session != NULL)
     session_give_up (window->session);
   g_clear_pointer (&window->watch, lesson_watch_free);
@@ -252,6 +253,8 @@ bind_children (GtkWidgetClass *widget_class)
   BIND (redo_button);
   BIND (info_bar);
   BIND (info_label);
+  BIND (recovery_bar);
+  BIND (recovery_label);
   BIND (work_bar);
   BIND (columns);
   BIND (lesson_paned);
@@ -323,6 +326,7 @@ hull2vd_window_init (Hull2vdWindow *window)
   window_actions_init (window);
   window_menus_init (window);
   window_files_init (window);
+  window_recovery_init (window);
   window_space_init (window);
   window_blank_add (window, GTK_WIDGET (window));
   focus_order_of_paned (window->lesson_paned);

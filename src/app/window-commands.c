@@ -217,6 +217,8 @@ typedef struct Command {
 static const Command commands[] = {
   { "new", window_files_new },
   { "save", window_files_save },
+  { "restore-unsaved", window_recovery_restore },
+  { "discard-unsaved", window_recovery_discard },
   { "adapt-lesson", window_files_adapt },
   { "copy", run_copy },
   { "paste", run_paste },

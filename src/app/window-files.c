@@ -51,13 +51,29 @@ set_path (Hull2vdWindow *window, char *path)
   window->path = path;
 }
 
+/* Restored sites are in no file: they are saved where the person says. */
+static void
+show_restored (Hull2vdWindow *window, char *origin)
+{
+  set_path (window, origin);
+  window->is_foreign = TRUE;
+  g_clear_pointer (&window->saved, g_free);
+  hull2vd_window_update_title (window);
+}
+
 static void
 show_loaded (Hull2vdWindow *window, const char *path, gboolean is_foreign)
 {
-  set_path (window, g_strdup (path));
-  window->is_foreign = is_foreign;
-  remember_saved (window);
-  window_recent_add (path);
+  char *origin;
+
+  if (window_recovery_take (window, path, &origin))
+    show_restored (window, origin);
+  else {
+    set_path (window, g_strdup (path));
+    window->is_foreign = is_foreign;
+    remember_saved (window);
+    window_recent_add (path);
+  }
   watch_lesson (window);
   gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
 }
@@ -197,6 +213,7 @@ on_save_chosen (const char *path, gpointer user)
     window->path = g_steal_pointer (&kept);
     window->is_foreign = FALSE;
     remember_saved (window);
+    window_recovery_clear (window);
     hull2vd_window_update_title (window);
   }
   window_recent_add (path);
@@ -340,6 +357,7 @@ static void
 close_window (Hull2vdWindow *window, const char *path)
 {
   (void)path;
+  window_recovery_clear (window);
   window_layout_save (window);
   window_space_save (window);
   progress_keeper_flush ();

@@ -17,6 +17,7 @@
 #include "side-column.h"
 #include "space-view.h"
 #include "transport.h"
+#include "window-recovery.h"
 #include "work-bar.h"
 
 G_BEGIN_DECLS
@@ -38,6 +39,7 @@ struct _Hull2vdWindow {
   char *path;          /* of the points or lesson, or NULL: new sites */
   char *saved;         /* the points as they are in the file */
   LessonWatch *watch;  /* of the lesson's file */
+  WindowRecovery *recovery;
   gboolean is_foreign; /* the file is no point file: see point-import.h */
   char *awaited;       /* of points whose hull a thread makes, or NULL */
   guint awaited_work;  /* its number */
@@ -48,6 +50,8 @@ struct _Hull2vdWindow {
   GtkWidget *undo_button, *redo_button;
   GtkInfoBar *info_bar;
   GtkLabel *info_label;
+  GtkInfoBar *recovery_bar;
+  GtkLabel *recovery_label;
   WorkBar *work_bar;
   Columns *columns;
   GtkPaned *lesson_paned, *view_paned;

@@ -123,7 +123,7 @@ document_open (Session *session, const char *path, GError **error)
 }
 
 char *
-document_copy (Session *session)
+document_text (const SiteSet *set)
 {
   g_autofree char *copy = NULL;
   char *text = NULL;
@@ -131,11 +131,17 @@ document_copy (Session *session)
   FILE *file = open_memstream (&text, &length);
 
   g_assert (file != NULL);
-  g_assert (site_file_write (session_get_set (session), file));
+  g_assert (site_file_write (set, file));
   fclose (file);
   copy = g_strdup (text);
   free (text);
   return g_steal_pointer (&copy);
+}
+
+char *
+document_copy (Session *session)
+{
+  return document_text (session_get_set (session));
 }
 
 gboolean

@@ -44,7 +44,10 @@ char *document_read (const char *path, gsize *length, GError **error);
  *          site_set_free(), or NULL with @error set. */
 SiteSet *document_read_points (const char *path, GError **error);
 
-/* Returns: (transfer full): the sites as the text of a points file. */
+/* Returns: (transfer full): @set as the text of a points file. */
+char *document_text (const SiteSet *set);
+
+/* Returns: (transfer full): the session's sites in the same form. */
 char *document_copy (Session *session);
 
 /* Saves the sites as a points file, whole or not at all. */

@@ -2,6 +2,7 @@
 pointer and keys through the X server."""
 import contextlib
 import os
+import shutil
 import subprocess
 import time
 
@@ -51,6 +52,7 @@ def forget_progress():
     """What a program before has kept."""
     if os.path.exists(progress_path()):
         os.remove(progress_path())
+    shutil.rmtree(progress_path("unsaved"), ignore_errors=True)
 
 
 @contextlib.contextmanager
