@@ -59,19 +59,31 @@ test_compare (void)
   cairo_surface_destroy (see);
 }
 
-/* Pixels that are greener than red and than blue by far. */
+/* Whether a pixel, in the order of RGB24, is one of those that are counted. */
+typedef bool (*PixelCheck) (const unsigned char *pixel);
+
+/* Greener than red and than blue by far. */
+static bool
+is_green (const unsigned char *pixel)
+{
+  return pixel[1] > pixel[0] + 30 && pixel[1] > pixel[2] + 30;
+}
+
+static bool
+is_white (const unsigned char *pixel)
+{
+  return pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255;
+}
+
 static guint
-count_green (cairo_surface_t *surface)
+count_pixels (cairo_surface_t *surface, PixelCheck is_counted)
 {
   guint n = 0;
   int x, y;
 
   for (y = 0; y < cairo_image_surface_get_height (surface); y++)
-    for (x = 0; x < cairo_image_surface_get_width (surface); x++) {
-      const unsigned char *pixel = row_of (surface, y) + 4 * x;
-
-      n += pixel[1] > pixel[0] + 30 && pixel[1] > pixel[2] + 30;
-    }
+    for (x = 0; x < cairo_image_surface_get_width (surface); x++)
+      n += is_counted (row_of (surface, y) + 4 * x);
   return n;
 }
 
@@ -95,10 +107,46 @@ count_green_at (uint32_t step, CameraPreset preset, const Theme *theme)
   picture_paint (&picture, &frame, cr);
   cairo_destroy (cr);
   cairo_surface_flush (surface);
-  n = count_green (surface);
+  n = count_pixels (surface, is_green);
   cairo_surface_destroy (surface);
   frame_clear (&frame);
   return n;
+}
+
+static guint
+count_white (uint32_t layers)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
+  cairo_surface_t *surface
+      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, 300, 300);
+  cairo_t *cr = cairo_create (surface);
+  Picture picture;
+  Frame frame;
+  guint n;
+
+  frame_init (&frame, fixture->trace, fixture->trace->n_events);
+  picture_init (&picture, PICTURE_SPACE, &frame);
+  picture.width = picture.height = 300;
+  picture.theme = theme_get (THEME_PAPER);
+  picture.look.layers = layers;
+  picture.look.lift = 0;
+  picture_paint (&picture, &frame, cr);
+  cairo_destroy (cr);
+  cairo_surface_flush (surface);
+  n = count_pixels (surface, is_white);
+  cairo_surface_destroy (surface);
+  frame_clear (&frame);
+  return n;
+}
+
+/* What keeps the sheet from shining through facets is gone where they are. */
+static void
+test_paper_lies_flat (void)
+{
+  const guint without = count_white (LAYER_VORONOI);
+
+  g_assert_cmpuint (without, <, 300 * 300 - 5000);
+  g_assert_cmpuint (count_white (LAYER_VORONOI | LAYER_HULL), <=, without);
 }
 
 /* With upper facets in grey and without lines nothing may be green: neither
@@ -336,6 +384,8 @@ main (int argc, char **argv)
                    test_missed_on_the_horizon);
   g_test_add_func ("/painter/sites-behind-the-hull-do-not-look-as-if-before-it",
                    test_behind);
+  g_test_add_func ("/painter/the-flat-hull-of-the-paper-hides-no-cell",
+                   test_paper_lies_flat);
   g_test_add_func ("/painter/no-facet-of-the-paper-is-green-by-mixture",
                    test_paper_has_no_clash);
   return g_test_run ();

@@ -203,26 +203,50 @@ painter_add_items (Painter *painter, const uint32_t *items, uint32_t n)
   paint_order_clear (&order);
 }
 
+/* Whether a facet keeps what lies behind it out of sight. Those that face the
+ * eye cover all that the hull covers. */
+static bool
+needs_mat (const Painter *painter, const SceneItem *item)
+{
+  return item->pass == PASS_HULL && item->shape == SHAPE_POLYGON
+         && item->fade < 1
+         && (item->is_two_sided
+             || scene_faces_eye (painter->scene, item, painter->projection));
+}
+
+static uint32_t
+add_mat_style (Painter *painter, double fade)
+{
+  Colour colour = painter->theme->background;
+  Style mat = { .width = 1 };
+
+  colour.alpha *= 1 - fade;
+  mat.fill = mat.line = colour;
+  return drawing_add_style (painter->drawing, &mat);
+}
+
 /* Background where the hull will be, so that the sheet behind it shines
- * through no facet. */
+ * through no facet, but through those that a person wants to see through. */
 static void
 add_mat (Painter *painter)
 {
-  const Colour background = painter->theme->background;
-  const Style mat = { .fill = background, .line = background, .width = 1 };
-  const uint32_t style = drawing_add_style (painter->drawing, &mat);
   const Scene *scene = painter->scene;
-  uint32_t i;
+  double fade = 1;
+  uint32_t i, style = 0;
 
   for (i = 0; i < scene->stock.n_items; i++) {
-    if (scene->items[i].pass != PASS_HULL
-        || scene->items[i].shape != SHAPE_POLYGON)
+    const SceneItem *item = &scene->items[i];
+
+    if (!needs_mat (painter, item))
       continue;
-    if (painter_draw_again (
-            painter, painter_key (painter, &scene->items[i], STROKE_REGION)))
+    if (painter_draw_again (painter,
+                            painter_key (painter, item, STROKE_REGION)))
       continue;
+    if (fade < item->fade || fade > item->fade)
+      style = add_mat_style (painter, item->fade);
+    fade = item->fade;
     stroke_begin (painter->drawing, STROKE_POLYGON, style);
-    add_corners (painter, &scene->items[i]);
+    add_corners (painter, item);
     painter_note_new (painter);
   }
 }
