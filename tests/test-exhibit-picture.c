@@ -181,6 +181,38 @@ test_layers_can_be_chosen_where_they_are_seen (void)
   }
 }
 
+/* How dark the picture is from @first to before @end, down one column. */
+static guint
+darkness (cairo_surface_t *surface, guint column, guint first, guint end)
+{
+  const int stride = cairo_image_surface_get_stride (surface);
+  const unsigned char *data = cairo_image_surface_get_data (surface);
+  guint sum = 0;
+
+  for (guint row = first; row < end; row++)
+    sum += 255u - data[row * (guint)stride + 4 * column];
+  return sum;
+}
+
+/* Black on white, what turns left is known by its hatch alone. */
+static void
+test_the_hatch_of_a_sign_map_is_whole (void)
+{
+  g_autoptr (Session) session = play (&cases[5]);
+  const guint step = (guint)theme_get (THEME_PRINT)->hatch_px;
+  const guint column = SIDE / 7, first = SIDE / 4 / step * step + step / 2;
+  cairo_surface_t *surface;
+  guint one;
+
+  run (session, "theme print");
+  surface = paint_session (session);
+  one = darkness (surface, column, first, first + step);
+  g_assert_cmpuint (one, >, 100);
+  for (guint row = first; row < SIDE / 2; row += step)
+    g_assert_cmpuint (darkness (surface, column, row, row + step), ==, one);
+  cairo_surface_destroy (surface);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -191,5 +223,7 @@ main (int argc, char **argv)
                    test_another_step_is_another_picture);
   g_test_add_func ("/exhibit-picture/layers-can-be-chosen-where-they-are-seen",
                    test_layers_can_be_chosen_where_they_are_seen);
+  g_test_add_func ("/exhibit-picture/the-hatch-of-a-sign-map-is-whole",
+                   test_the_hatch_of_a_sign_map_is_whole);
   return g_test_run ();
 }

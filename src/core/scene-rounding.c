@@ -23,36 +23,85 @@ border (uint32_t i)
   return 2.0 * i / SIGN_MAP_SIDE - 1;
 }
 
-/* Each run reaches a node further to the right and down, under the runs that
- * are painted after it: so no ground shows between them. */
+/* Nodes from the one at @low to before that at @high. */
 static void
-add_run (
-    SceneBuilder *builder, int sign, uint32_t row, uint32_t first, uint32_t end)
+add_nodes (SceneBuilder *builder,
+           Role role,
+           const uint32_t low[2],
+           const uint32_t high[2])
 {
-  const double left = border (first);
-  const double right = border (end < SIGN_MAP_SIDE ? end + 1 : end);
-  const double top = border (row + 1);
-  const double bottom = border (row > 0 ? row - 1 : row);
+  const double left = border (low[0]), right = border (high[0]);
+  const double bottom = border (low[1]), top = border (high[1]);
 
-  scene_add (builder, SHAPE_POLYGON, sign_role (sign), NO_OBJECT);
+  scene_add (builder, SHAPE_POLYGON, role, NO_OBJECT);
   scene_add_point (builder, (Point3){ left, bottom, 0 });
   scene_add_point (builder, (Point3){ right, bottom, 0 });
   scene_add_point (builder, (Point3){ right, top, 0 });
   scene_add_point (builder, (Point3){ left, top, 0 });
 }
 
+/* What turns left is one area under all others, so that its hatch is whole. */
+static bool
+is_ground (int sign)
+{
+  return sign > 0;
+}
+
+/* Returns: the end of the run of nodes that begins at @first. */
+static uint32_t
+end_of_run (const signed char *signs, uint32_t first, uint32_t end)
+{
+  uint32_t i;
+
+  for (i = first + 1; i < end; i++)
+    if (signs[i] != signs[first])
+      break;
+  return i;
+}
+
+/* Nodes from @first to before @end reach down under the row that is painted
+ * next, where that is not ground. */
+static void
+reach_down (SceneBuilder *builder,
+            int sign,
+            const signed char *below,
+            uint32_t row,
+            const uint32_t ends[2])
+{
+  uint32_t first, end;
+
+  for (first = ends[0]; first < ends[1]; first = end) {
+    end = end_of_run (below, first, ends[1]);
+    if (!is_ground (below[first]))
+      add_nodes (builder, sign_role (sign), (uint32_t[2]){ first, row - 1 },
+                 (uint32_t[2]){ end, row + 1 });
+  }
+}
+
+/* Each run reaches a node further to the right and down, under the runs that
+ * are painted after it: so no ground shows between them. @below is NULL for
+ * the last row. */
 static void
 add_row (SceneBuilder *builder,
-         const signed char signs[SIGN_MAP_SIDE],
+         const signed char *signs,
+         const signed char *below,
          uint32_t row)
 {
   uint32_t first, end;
 
   for (first = 0; first < SIGN_MAP_SIDE; first = end) {
-    for (end = first + 1; end < SIGN_MAP_SIDE; end++)
-      if (signs[end] != signs[first])
-        break;
-    add_run (builder, signs[first], row, first, end);
+    uint32_t right;
+
+    right = end = end_of_run (signs, first, SIGN_MAP_SIDE);
+    if (is_ground (signs[first]))
+      continue;
+    if (end < SIGN_MAP_SIDE && !is_ground (signs[end]))
+      right++;
+    if (below != NULL)
+      reach_down (builder, signs[first], below, row,
+                  (uint32_t[2]){ first, end });
+    add_nodes (builder, sign_role (signs[first]), (uint32_t[2]){ first, row },
+               (uint32_t[2]){ right, row + 1 });
   }
 }
 
@@ -86,14 +135,17 @@ scene_sign_map (Scene *scene,
 {
   static const uint32_t all[2][2]
       = { { 0, 0 }, { SIGN_MAP_SIDE, SIGN_MAP_SIDE } };
+  const signed char (*signs)[SIGN_MAP_SIDE]
+      = is_exact ? map->exact : map->rounded;
   SceneBuilder builder;
   uint32_t row;
 
   scene_builder_open (&builder, scene, look, 0);
   scene->is_space = false;
   builder.pass = PASS_GROUND;
+  add_nodes (&builder, ROLE_SIGN_LEFT, all[0], all[1]);
   for (row = SIGN_MAP_SIDE; row-- > 0;)
-    add_row (&builder, is_exact ? map->exact[row] : map->rounded[row], row);
+    add_row (&builder, signs[row], row > 0 ? signs[row - 1] : NULL, row);
   add_outline (&builder, ROLE_GROUND, all[0], all[1]);
   add_outline (&builder, ROLE_SIGN_NODE, node,
                (const uint32_t[2]){ node[0] + 1, node[1] + 1 });
