@@ -6,6 +6,7 @@
 /* Room between ticks, and between two labels. */
 #define TICK_PX 6.0
 #define LABEL_PX 12.0
+#define CLEAR_PX 4.0 /* between a label and a bare tick */
 #define DOT_REACH_PX 5.0
 
 /* That it needs; it takes what is left. */
@@ -23,8 +24,22 @@ G_DEFINE_TYPE (Scrubber, scrubber, GTK_TYPE_SCALE)
 
 /* Marks */
 
+/* A mark below the trough. */
+typedef struct Tick {
+  guint step;
+  double px, half_px; /* its place, and half of what its text takes */
+  char *text;         /* NULL: bare */
+} Tick;
+
+static void
+clear_tick (gpointer data)
+{
+  g_free (((Tick *)data)->text);
+}
+
 typedef struct MarkWalk {
   GtkWidget *scale;
+  GArray *ticks; /* Tick */
   double px_per_step;
   double tick_px;   /* of the last tick */
   double label_px;  /* where the last label ends */
@@ -55,12 +70,12 @@ add_tick (MarkWalk *walk, guint step, const char *text)
   const double half_px = get_text_px (walk->scale, text) / 2;
   const gboolean has_label = px - half_px >= walk->label_px + LABEL_PX
                              && px + half_px <= walk->end_px - LABEL_PX;
+  const Tick tick = { step, px, half_px, has_label ? g_strdup (text) : NULL };
 
   walk->half_px = half_px;
   if (px - walk->tick_px < TICK_PX && !has_label)
     return FALSE;
-  gtk_scale_add_mark (GTK_SCALE (walk->scale), step, GTK_POS_BOTTOM,
-                      has_label ? text : NULL);
+  g_array_append_val (walk->ticks, tick);
   walk->tick_px = px;
   if (has_label)
     walk->label_px = px + half_px;
@@ -103,6 +118,38 @@ add_rounds (MarkWalk *walk, Session *session)
     if (add_tick (walk, step, text))
       walk->is_told = TRUE;
     round = next_round (walk, session, round);
+  }
+}
+
+/* Where the label after this tick begins. */
+static double
+next_label_px (const MarkWalk *walk, guint i)
+{
+  for (; i < walk->ticks->len; i++) {
+    const Tick *tick = &g_array_index (walk->ticks, Tick, i);
+
+    if (tick->text != NULL)
+      return tick->px - tick->half_px;
+  }
+  return walk->end_px;
+}
+
+/* GtkScale pushes a label aside where a bare tick stands over it, so that it
+ * seems to be that of another one: there are none. */
+static void
+add_marks (const MarkWalk *walk, double label_px)
+{
+  for (guint i = 0; i < walk->ticks->len; i++) {
+    const Tick *tick = &g_array_index (walk->ticks, Tick, i);
+
+    if (tick->text == NULL
+        && (tick->px < label_px + CLEAR_PX
+            || tick->px > next_label_px (walk, i) - CLEAR_PX))
+      continue;
+    gtk_scale_add_mark (GTK_SCALE (walk->scale), tick->step, GTK_POS_BOTTOM,
+                        tick->text);
+    if (tick->text != NULL)
+      label_px = tick->px + tick->half_px;
   }
 }
 
@@ -150,17 +197,36 @@ add_ends (MarkWalk *walk, Session *session)
   walk->end_px = n_steps * walk->px_per_step - get_text_px (walk->scale, end);
 }
 
+/* Of the trough, along which the steps lie. */
+static double
+trough_width (Scrubber *scrubber)
+{
+  GtkStyleContext *style = gtk_widget_get_style_context (GTK_WIDGET (scrubber));
+  GtkBorder padding;
+
+  gtk_style_context_get_padding (style, gtk_style_context_get_state (style),
+                                 &padding);
+  return MAX (scrubber->width - padding.left - padding.right, 0);
+}
+
 static void
 make_marks (Scrubber *scrubber)
 {
   Session *session = scrubber->session;
   const guint n_steps = session_get_n_steps (session);
-  MarkWalk walk = { .scale = GTK_WIDGET (scrubber),
-                    .px_per_step = scrubber->width / (double)MAX (n_steps, 1) };
+  g_autoptr (GArray) ticks = g_array_new (FALSE, FALSE, sizeof (Tick));
+  MarkWalk walk
+      = { .scale = GTK_WIDGET (scrubber),
+          .ticks = ticks,
+          .px_per_step = trough_width (scrubber) / (double)MAX (n_steps, 1) };
+  double start_px;
 
+  g_array_set_clear_func (ticks, clear_tick);
   gtk_scale_clear_marks (GTK_SCALE (scrubber));
   add_ends (&walk, session);
+  start_px = walk.label_px;
   add_rounds (&walk, session);
+  add_marks (&walk, start_px);
   add_stops (scrubber);
 }
 
