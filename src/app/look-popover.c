@@ -2,7 +2,7 @@
 
 #include <glib/gi18n.h>
 
-#define SLIDER_WIDTH 190
+#define SLIDER_WIDTH 120 /* px; the pictures that it changes stay in view */
 
 static double
 get_lift (Session *session)
@@ -135,8 +135,8 @@ grid_new (Session *session)
   Sliders *sliders = g_new0 (Sliders, 1);
 
   sliders->session = session;
-  g_object_set (grid, "margin", 12, "row-spacing", 6, "column-spacing", 12,
-                NULL);
+  g_object_set (grid, "margin", 6, "column-spacing", 6, NULL);
+  gtk_style_context_add_class (gtk_widget_get_style_context (grid), "look");
   for (guint i = 0; i < N_SLIDERS; i++)
     add_row (GTK_GRID (grid), sliders, i);
   gtk_actionable_set_action_name (GTK_ACTIONABLE (reset), "win.reset-look");
