@@ -99,6 +99,78 @@ test_labels_avoid_heavy_lines (void)
   label_sheet_free (sheet);
 }
 
+static double
+gap_to (const Label *label, Pixel at)
+{
+  const double x = CLAMP (at.x, label->low.x, label->low.x + label->width);
+  const double y = CLAMP (at.y, label->low.y, label->low.y + label->height);
+
+  return hypot (at.x - x, at.y - y);
+}
+
+/* Places the names of two marks with thin lines all round them. */
+static void
+place_pair (GRand *rand, Label labels[2])
+{
+  LabelSheet *sheet = label_sheet_new (200, 200, NULL);
+  int i;
+
+  for (i = 0; i < 2; i++) {
+    labels[i]
+        = (Label){ .text = "s1",
+                   .at = { g_rand_double_range (rand, 95, 105), 90 + 20 * i },
+                   .reach = 7,
+                   .width = 24,
+                   .height = 14 };
+    label_sheet_mark (sheet, labels[i].at, 7);
+  }
+  for (i = 0; i < 6; i++) {
+    const Pixel line[2] = { { 0, g_rand_double_range (rand, 0, 200) },
+                            { 200, g_rand_double_range (rand, 0, 200) } };
+
+    label_sheet_line (sheet, line, 1.3);
+  }
+  label_sheet_place (sheet, labels, 2);
+  label_sheet_free (sheet);
+}
+
+/* A name crosses a thin line rather than to stand beside the mark of another,
+ * whose it would seem to be. */
+static void
+test_names_are_nearest_to_their_own (void)
+{
+  g_autoptr (GRand) rand = g_rand_new_with_seed (7);
+  Label labels[2];
+  int i, k;
+
+  for (i = 0; i < 100; i++) {
+    place_pair (rand, labels);
+    for (k = 0; k < 2; k++)
+      g_assert_cmpfloat (gap_to (&labels[k], labels[k].at), <,
+                         gap_to (&labels[k], labels[1 - k].at));
+  }
+}
+
+/* A line that is hardly seen does not drive a name away. */
+static void
+test_names_lie_over_pale_lines (void)
+{
+  LabelSheet *sheet = label_sheet_new (200, 200, NULL);
+  Label label = {
+    .text = "s1", .at = { 100, 100 }, .reach = 7, .width = 24, .height = 14
+  };
+  int i;
+
+  for (i = 0; i < 200; i += 14) {
+    const Pixel level[2] = { { 0, i }, { 200, i } };
+
+    label_sheet_line (sheet, level, 0.4);
+  }
+  label_sheet_place (sheet, &label, 1);
+  g_assert_cmpfloat (gap_to (&label, label.at), <, 7 + 5);
+  label_sheet_free (sheet);
+}
+
 /* Returns: how many names a plane of so many sites of a side of 300 px has. */
 static guint
 count_names (Family family, guint n_sites)
@@ -125,6 +197,50 @@ count_names (Family family, guint n_sites)
   names_free (names);
   frame_clear (&frame);
   return n;
+}
+
+/* Returns: how large marks are of sixty sites in a plane of this height and a
+ *          width of 350 px. */
+static double
+size_of_marks (ThemeKind theme, double height, double zoom)
+{
+  g_autoptr (Fixture) fixture
+      = fixture_new (FAMILY_RANDOM, 1, 60, ORDER_FURTHEST);
+  Names *names = names_new ();
+  Drawing *drawing = drawing_new (names);
+  Picture picture;
+  Projection projection;
+  Scene scene = { .items = NULL };
+  Frame frame;
+  double size;
+
+  frame_init (&frame, fixture->trace, fixture->trace->n_events);
+  picture_init (&picture, PICTURE_PLANE, &frame);
+  picture.plane_camera.zoom = zoom;
+  projection = plane_camera_projection (&picture.plane_camera, 350, height);
+  scene_look_fit (&picture.look, &projection, 0);
+  scene_plane (&scene, &frame, &picture.look);
+  drawing_set (drawing, &scene, &projection, theme_get (theme));
+  size = drawing->size;
+  scene_clear (&scene);
+  drawing_free (drawing);
+  names_free (names);
+  frame_clear (&frame);
+  return size;
+}
+
+/* What counts is how near sites are: not the shape of the view, and less where
+ * one looks closely. The larger marks of the last row need more room. */
+static void
+test_marks_shrink (void)
+{
+  const double light = size_of_marks (THEME_LIGHT, 350, 1);
+  const double projector = size_of_marks (THEME_PROJECTOR, 350, 1);
+
+  g_assert_cmpfloat (projector, <, light);
+  g_assert_cmpfloat (projector, <, 0.8);
+  g_assert_cmpfloat (size_of_marks (THEME_PROJECTOR, 600, 1), ==, projector);
+  g_assert_cmpfloat (size_of_marks (THEME_PROJECTOR, 350, 3), ==, 1);
 }
 
 /* Names do not hide what they name. */
@@ -171,7 +287,13 @@ main (int argc, char **argv)
   g_test_add_func ("/label/names-keep-off-lines", test_labels_avoid_lines);
   g_test_add_func ("/label/names-keep-off-the-width-of-heavy-lines",
                    test_labels_avoid_heavy_lines);
+  g_test_add_func ("/label/names-are-nearest-to-their-own-marks",
+                   test_names_are_nearest_to_their_own);
+  g_test_add_func ("/label/names-stay-near-over-pale-lines",
+                   test_names_lie_over_pale_lines);
   g_test_add_func ("/label/a-crowd-has-no-names", test_names_need_room);
+  g_test_add_func ("/label/marks-are-small-where-sites-are-near",
+                   test_marks_shrink);
   g_test_add_func ("/label/only-the-unimportant-are-left-out",
                    test_labels_are_left_out);
   return g_test_run ();

@@ -9,11 +9,13 @@
 #define CELL 2.0
 
 /* Ink in a cell: how bad it is to cover. */
+#define INK_PALE 1 /* lines that are hardly seen, below PALE_PX */
 #define INK_LINE 3
 #define INK_HEAVY 12 /* lines of HEAVY_PX and more */
 #define INK_NAME 30  /* of a name that may be covered */
 #define INK_MARK 60
 #define INK_LABEL 255 /* counts as COST_LABEL */
+#define PALE_PX 0.6
 #define HEAVY_PX 2.2
 #define WIDE_PX 3.5 /* from here on ink lies in cells side by side */
 
@@ -22,21 +24,37 @@
 /* Places round a mark: directions, and distances in px. */
 #define N_DIRECTIONS 16
 #define N_DISTANCES 4
+#define N_DISTANCES_MOST 7 /* of numbers */
 #define DISTANCE_STEP 5.0
 #define TURN 6.28318530717958647692
 
 /* What a place costs besides ink; beyond the limit a label is left out. */
 #define COST_DISTANCE 8
+#define COST_OFF 24 /* the same for what is best right on its mark */
 #define COST_OUTSIDE 4000
 #define COST_LIMIT 1400
 #define COST_LABEL 4000
+
+/* A name that is nearer to the mark of another would seem to be its name: worse
+ * than to cover a line or two, but not a heavy one. */
+#define COST_MISTAKEN 110
+#define COST_DOUBTFUL 40
+#define DOUBTFUL_PX 3.0 /* hardly nearer to its own mark */
+
+/* A mark that has a name. */
+typedef struct Named {
+  Pixel at;
+  double reach;
+} Named;
 
 struct LabelSheet {
   int left, top; /* its first cell */
   int columns, rows;
   double width, height;
   unsigned char *ink;
-  guint32 *sums; /* of the ink above and left of each cell, before any label */
+  guint32 *sums;  /* of the ink above and left of each cell, before any label */
+  GArray *named;  /* Named */
+  GArray *rivals; /* Named: those near the label in hand */
   Pixel directions[N_DIRECTIONS];
 };
 
@@ -71,6 +89,8 @@ label_sheet_new (double width, double height, const PixelBox *area)
   sheet->columns = right - sheet->left;
   sheet->rows = bottom - sheet->top;
   sheet->ink = g_malloc0 ((gsize)sheet->columns * (gsize)sheet->rows + 1);
+  sheet->named = g_array_new (FALSE, FALSE, sizeof (Named));
+  sheet->rivals = g_array_new (FALSE, FALSE, sizeof (Named));
   find_directions (sheet);
   return sheet;
 }
@@ -78,6 +98,8 @@ label_sheet_new (double width, double height, const PixelBox *area)
 void
 label_sheet_free (LabelSheet *sheet)
 {
+  g_array_unref (sheet->named);
+  g_array_unref (sheet->rivals);
   g_free (sheet->ink);
   g_free (sheet->sums);
   g_free (sheet);
@@ -139,7 +161,9 @@ add_stroke (LabelSheet *sheet, const Pixel ends[2], unsigned char ink)
 void
 label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px)
 {
-  const unsigned char ink = width_px >= HEAVY_PX ? INK_HEAVY : INK_LINE;
+  const unsigned char ink = width_px >= HEAVY_PX  ? INK_HEAVY
+                            : width_px >= PALE_PX ? INK_LINE
+                                                  : INK_PALE;
   const double dx = ends[1].x - ends[0].x, dy = ends[1].y - ends[0].y;
   const double length = hypot (dx, dy);
   const double across[2] = { -width_px * dy / length, width_px * dx / length };
@@ -280,6 +304,64 @@ ink_under (const LabelSheet *sheet, Cells cells, double most)
   return sum;
 }
 
+void
+label_sheet_named (LabelSheet *sheet, Pixel at, double reach)
+{
+  const Named named = { at, reach };
+
+  g_array_append_val (sheet->named, named);
+}
+
+/* From a rectangle to the mark round @at. */
+static double
+distance_to (const Label *label, Pixel low, Pixel at, double reach)
+{
+  const double x = CLAMP (at.x, low.x, low.x + label->width);
+  const double y = CLAMP (at.y, low.y, low.y + label->height);
+
+  return MAX (hypot (at.x - x, at.y - y) - reach, 0);
+}
+
+/* Finds the marks that the name might be taken for a name of. Marks in the same
+ * place share theirs. */
+static void
+find_rivals (LabelSheet *sheet, const Label *label)
+{
+  const double far = label->reach + LABEL_NEAR_PX + DOUBTFUL_PX
+                     + MAX (label->width, label->height);
+
+  g_array_set_size (sheet->rivals, 0);
+  if (label->is_number)
+    return;
+  for (guint i = 0; i < sheet->named->len; i++) {
+    const Named *named = &g_array_index (sheet->named, Named, i);
+    const double x = fabs (named->at.x - label->at.x);
+    const double y = fabs (named->at.y - label->at.y);
+    const double reach = 2 * far + named->reach;
+
+    if (x < reach && y < reach && x + y > 1)
+      g_array_append_val (sheet->rivals, *named);
+  }
+}
+
+static double
+cost_of_mistake (const LabelSheet *sheet, const Label *label, Pixel low)
+{
+  const double own = distance_to (label, low, label->at, label->reach);
+  double cost = 0;
+
+  for (guint i = 0; i < sheet->rivals->len; i++) {
+    const Named *rival = &g_array_index (sheet->rivals, Named, i);
+    const double other = distance_to (label, low, rival->at, rival->reach);
+
+    if (other < own)
+      return COST_MISTAKEN;
+    if (other < own + DOUBTFUL_PX)
+      cost = COST_DOUBTFUL;
+  }
+  return cost;
+}
+
 static double
 cost_of (const LabelSheet *sheet, const Label *label, Pixel low, double most)
 {
@@ -312,6 +394,7 @@ typedef struct Best {
 static void
 consider (const LabelSheet *sheet, const Label *label, Best here, Best *best)
 {
+  here.cost += cost_of_mistake (sheet, label, here.low);
   here.cost += cost_of (sheet, label, here.low, best->cost - here.cost);
   if (here.cost < best->cost)
     *best = here;
@@ -322,6 +405,8 @@ consider (const LabelSheet *sheet, const Label *label, Best here, Best *best)
 static Best
 find_place (const LabelSheet *sheet, const Label *label, double limit)
 {
+  const double step = label->is_centred ? COST_OFF : COST_DISTANCE;
+  const int n = label->is_number ? N_DISTANCES_MOST : N_DISTANCES;
   Best best = { limit, label->at };
   int distance, i;
 
@@ -331,10 +416,10 @@ find_place (const LabelSheet *sheet, const Label *label, double limit)
                       { label->at.x - label->width / 2,
                         label->at.y - label->height / 2 } },
               &best);
-  for (distance = 0; distance < N_DISTANCES; distance++)
+  for (distance = 0; distance < n; distance++)
     for (i = 0; i < N_DIRECTIONS; i++) {
       const double radius = label->reach + 1.5 + DISTANCE_STEP * distance;
-      const double more = COST_DISTANCE * distance + 0.1 * i;
+      const double more = step * distance + 0.1 * i;
 
       /* All places to come cost at least this much. */
       if (best.cost <= more)
@@ -349,10 +434,12 @@ find_place (const LabelSheet *sheet, const Label *label, double limit)
 static void
 place (LabelSheet *sheet, Label *label, double limit)
 {
-  const Best best = find_place (sheet, label, limit);
+  Best best;
   Cells cells;
   int row;
 
+  find_rivals (sheet, label);
+  best = find_place (sheet, label, limit);
   label->is_placed = best.cost < limit;
   label->low = best.low;
   if (!label->is_placed)
@@ -363,11 +450,21 @@ place (LabelSheet *sheet, Label *label, double limit)
             (size_t)(cells.right - cells.left));
 }
 
+/* The middle of a facet is no mark, nor is that of a gap. */
+static void
+add_named (LabelSheet *sheet, const Label *labels, uint32_t n_labels)
+{
+  for (uint32_t i = 0; i < n_labels; i++)
+    if (!labels[i].is_centred && !labels[i].is_number)
+      label_sheet_named (sheet, labels[i].at, labels[i].reach);
+}
+
 void
 label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels)
 {
   uint32_t i;
 
+  add_named (sheet, labels, n_labels);
   sum_ink (sheet, n_labels);
   for (i = 0; i < n_labels; i++)
     if (labels[i].is_important)
@@ -382,6 +479,7 @@ label_sheet_place_over (LabelSheet *sheet, Label *labels, uint32_t n_labels)
 {
   uint32_t i;
 
+  add_named (sheet, labels, n_labels);
   sum_ink (sheet, n_labels);
   for (i = 0; i < n_labels; i++)
     place (sheet, &labels[i], DBL_MAX);

@@ -8,7 +8,7 @@
 #define PADDING 1.5
 #define CROWDED 0.75 /* where sites are drawn smaller, few have names */
 
-#define NAME_ROOM 2.6 /* from site to site, times the size of type */
+#define NAME_ROOM 2.2 /* from site to site, times the size of type */
 #define LARGE_TEXT_PX 18.0
 
 #define FEW 24 /* so many that are lit are all shown, whatever they cover */
@@ -89,6 +89,7 @@ want (Painter *painter, Wanted *wanted, uint32_t number)
   label.reach = reach_of_mark (painter, item);
   label.is_important = is_important (item);
   label.is_centred = item->role == ROLE_FACET_NAME;
+  label.is_number = item->role == ROLE_POWER;
   g_array_append_val (wanted->labels, label);
   g_array_append_val (wanted->names, name);
 }
@@ -117,8 +118,9 @@ add_ink (const Drawing *drawing, const Stroke *stroke, LabelSheet *sheet)
     label_sheet_mark (sheet, pixels[0], brush_mark_reach (style));
   if (stroke->kind != STROKE_LINE && stroke->kind != STROKE_CASING)
     return;
+  /* What shines through is as easily covered as what is thin. */
   for (i = 0; i + 1 < stroke->n; i++)
-    label_sheet_line (sheet, &pixels[i], style->width);
+    label_sheet_line (sheet, &pixels[i], style->width * style->line.alpha);
 }
 
 /* A power is told in the colour of its gap, or it would seem to name what it
@@ -222,6 +224,23 @@ is_crowd (const Drawing *drawing)
   return drawing->size < CROWDED;
 }
 
+/* A site's foot has no name: that of a lift should not seem to be it. */
+static void
+add_feet (Painter *painter, LabelSheet *sheet)
+{
+  const Scene *scene = painter->scene;
+  uint32_t i;
+
+  for (i = 0; i < scene->stock.n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+    Pixel at;
+
+    if ((item->role == ROLE_FOOT || item->role == ROLE_FOOT_APEX)
+        && clip_point (painter->projection, scene->points[item->first], &at))
+      label_sheet_named (sheet, at, reach_of_mark (painter, item));
+  }
+}
+
 static void
 place_in_stock (Painter *painter, const Wanted *wanted)
 {
@@ -229,8 +248,10 @@ place_in_stock (Painter *painter, const Wanted *wanted)
   const GArray *labels = wanted->labels;
   LabelSheet *sheet = sheet_new (drawing, labels);
 
-  if (!is_crowd (drawing))
+  if (!is_crowd (drawing)) {
     add_ink_near (sheet, drawing, labels);
+    add_feet (painter, sheet);
+  }
   label_sheet_place (sheet, (Label *)labels->data, labels->len);
   label_sheet_free (sheet);
 }
@@ -240,12 +261,10 @@ place_in_stock (Painter *painter, const Wanted *wanted)
 static bool
 has_room_for_names (const Painter *painter)
 {
-  const double area = painter->projection->width * painter->projection->height;
-  const uint32_t n_sites = painter->scene->stock.n_sites;
-  const double room = sqrt (area / MAX (n_sites, 1));
+  const double text_px = MIN (painter->theme->text_px, LARGE_TEXT_PX);
 
   return !is_crowd (painter->drawing)
-         && room >= NAME_ROOM * MIN (painter->theme->text_px, LARGE_TEXT_PX);
+         && painter_room (painter) >= NAME_ROOM * text_px;
 }
 
 void
@@ -305,9 +324,27 @@ add_names_of (const Drawing *stock, const Scene *scene, LabelSheet *sheet)
       label_sheet_name (sheet, &stock->placed[i].box);
 }
 
+/* Marks that have their name in the stock. */
+static void
+add_named (Painter *painter, const Drawing *stock, LabelSheet *sheet)
+{
+  const Scene *scene = painter->scene;
+  uint32_t i;
+
+  for (i = 0; i < stock->n_placed; i++) {
+    const SceneItem *item = &scene->items[stock->placed[i].item];
+    Pixel at;
+
+    if (item->lit == LIT_NONE && item->shape == SHAPE_MARK
+        && item->role != ROLE_FACET_NAME
+        && clip_point (painter->projection, scene->points[item->first], &at))
+      label_sheet_named (sheet, at, reach_of_mark (painter, item));
+  }
+}
+
 /* Places what is wanted over the strokes of @stock and those so far. */
 static void
-place_over (const Painter *painter,
+place_over (Painter *painter,
             const GArray *labels,
             const Drawing *stock,
             BoxIndex *strokes)
@@ -320,6 +357,9 @@ place_over (const Painter *painter,
   for (i = 0; i < drawing->n_strokes; i++)
     add_ink (drawing, &drawing->strokes[i], sheet);
   add_names_of (stock, painter->scene, sheet);
+  add_named (painter, stock, sheet);
+  if (!is_crowd (stock))
+    add_feet (painter, sheet);
   if (labels->len > FEW)
     label_sheet_place (sheet, (Label *)labels->data, labels->len);
   else

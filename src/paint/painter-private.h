@@ -68,6 +68,9 @@ void paint_order_init (PaintOrder *order,
                        uint32_t n);
 void paint_order_clear (PaintOrder *order);
 
+/* Returns: px from site to site, if they lay evenly in the square -1 … 1. */
+double painter_room (const Painter *painter);
+
 /* Finds which corners of the hull it hides itself: painter->hidden. They are
  * kept by the drawing. */
 void painter_find_hidden (Painter *painter);

@@ -9,8 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Between the sites of a crowd; where there is less room, all is smaller. */
-#define ROOMY_PX 38.0
+/* Between the sites of a crowd; where there is less room, all is smaller. Where
+ * marks are larger they need more, but a person may want them so large that
+ * they meet. */
+#define ROOMY_PX 32.0
+#define FACTOR_MOST 2.0
 #define SIZE_LEAST 0.25
 
 #define LEAST_RADIUS 1.3 /* of a mark; what is smaller is left out */
@@ -286,15 +289,36 @@ add_stock (Painter *painter)
   painter->hidden = NULL;
 }
 
+/* How much is seen of the square that the sites lie in: in space they are
+ * lifted, and stand before each other. */
+static double
+part_seen (const Painter *painter)
+{
+  const Point3 middle = { 0, 0, 0 };
+  const Point3 to_eye = projection_to_eye (painter->projection, middle);
+
+  return painter->scene->is_space ? 0.5 + 0.5 * to_eye.z * to_eye.z : 1;
+}
+
+double
+painter_room (const Painter *painter)
+{
+  const double *m = painter->projection->matrix;
+  const double side
+      = hypot (hypot (m[0], m[4]), m[8]) * painter->projection->width;
+  const uint32_t n_sites = painter->scene->stock.n_sites;
+
+  return side * sqrt (part_seen (painter) / MAX (n_sites, 1));
+}
+
 /* How large marks and lines may be, that one can still tell them apart where
  * so many sites share the view. */
 static double
 size_in_crowd (const Painter *painter)
 {
-  const double area = painter->projection->width * painter->projection->height;
-  const uint32_t n_sites = painter->scene->stock.n_sites;
+  const double factor = CLAMP (painter->theme->mark_factor, 1, FACTOR_MOST);
 
-  return CLAMP (sqrt (area / MAX (n_sites, 1)) / ROOMY_PX, SIZE_LEAST, 1);
+  return CLAMP (painter_room (painter) / (ROOMY_PX * factor), SIZE_LEAST, 1);
 }
 
 static void
