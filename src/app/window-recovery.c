@@ -202,7 +202,7 @@ window_recovery_offer (Hull2vdWindow *window)
   Recovery *left = recovery_claim (folder);
 
   window->recovery->left = left;
-  gtk_info_bar_set_revealed (window->recovery_bar, left != NULL);
+  gtk_widget_set_visible (GTK_WIDGET (window->recovery_bar), left != NULL);
   if (left == NULL)
     return;
   text = describe (left);
@@ -267,7 +267,7 @@ static void
 on_response (GtkInfoBar *bar, int response, Hull2vdWindow *window)
 {
   (void)response;
-  gtk_info_bar_set_revealed (bar, FALSE);
+  gtk_widget_hide (GTK_WIDGET (bar));
   g_clear_pointer (&window->recovery->left, recovery_free);
 }
 
