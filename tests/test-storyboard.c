@@ -220,6 +220,31 @@ test_full_disk (void)
   fclose (file);
 }
 
+static double
+width_at (double size)
+{
+  static const cairo_rectangle_t page = { 0, 0, 10000, 1000 };
+  cairo_surface_t *surface
+      = cairo_recording_surface_create (CAIRO_CONTENT_COLOR_ALPHA, NULL);
+  cairo_t *cr = cairo_create (surface);
+  double x, y, width, height;
+
+  panel_paint_text (cr, "Inside the hull of the plane a new site sees", size,
+                    &page);
+  cairo_recording_surface_ink_extents (surface, &x, &y, &width, &height);
+  cairo_destroy (cr);
+  cairo_surface_destroy (surface);
+  return width;
+}
+
+/* Letters at whole pixels would stand apart on paper. */
+static void
+test_letters_keep_their_distance (void)
+{
+  g_assert_cmpfloat_with_epsilon (width_at (9), width_at (90) / 10, 2);
+  g_assert_cmpfloat_with_epsilon (width_at (10.5), width_at (105) / 10, 2);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -236,5 +261,7 @@ main (int argc, char **argv)
                    test_questions_are_asked);
   g_test_add_func ("/storyboard/themes-matter", test_themes_matter);
   g_test_add_func ("/storyboard/a-full-disk-is-said", test_full_disk);
+  g_test_add_func ("/storyboard/letters-keep-their-distance-at-any-size",
+                   test_letters_keep_their_distance);
   return g_test_run ();
 }

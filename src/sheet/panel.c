@@ -1,5 +1,6 @@
 #include "panel.h"
 
+#include "block.h"
 #include "moment.h"
 #include "prose.h"
 
@@ -107,9 +108,13 @@ panel_free (Panel *panel)
 }
 
 static PangoLayout *
-layout_new (cairo_t *cr, const char *markup, double width)
+layout_new (const char *markup, double width)
 {
-  PangoLayout *layout = pango_cairo_create_layout (cr);
+  g_auto (Press) press;
+  PangoLayout *layout;
+
+  press_init (&press);
+  layout = pango_layout_new (press.context);
 
   pango_layout_set_width (layout, (int)(width * PANGO_SCALE));
   pango_layout_set_wrap (layout, PANGO_WRAP_WORD_CHAR);
@@ -136,7 +141,7 @@ panel_paint_text (cairo_t *cr,
                   double size,
                   const cairo_rectangle_t *area)
 {
-  g_autoptr (PangoLayout) layout = layout_new (cr, markup, area->width);
+  g_autoptr (PangoLayout) layout = layout_new (markup, area->width);
   double at = size, height = set_size (layout, size);
 
   if (area->height <= 0)
