@@ -2,68 +2,15 @@
 
 #include "block-prose.h"
 #include "form.h"
+#include "prose.h"
+#include "timetable.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
 
 #define PADDING 6.0
 #define TIME_COLUMN 66.0
-#define GRAIN_S 15.0
-
-/* Time */
-
-static guint
-weight_of (const Lesson *lesson, guint stop)
-{
-  return lesson_stop (lesson, stop)->question != NULL ? 2 : 1;
-}
-
-static guint
-weight_before (const Lesson *lesson, guint stop)
-{
-  guint weight = 0;
-
-  for (guint i = 0; i < stop; i++)
-    weight += weight_of (lesson, i);
-  return weight;
-}
-
-/* Seconds, of which nobody measures single ones. */
-static guint
-begin_of (const Lesson *lesson, guint stop)
-{
-  const double part = (double)weight_before (lesson, stop)
-                      / weight_before (lesson, lesson->stops->len);
-
-  return (guint)(GRAIN_S * round (60.0 * lesson->minutes * part / GRAIN_S));
-}
-
-char *
-handout_time_of (const Lesson *lesson, guint stop)
-{
-  const guint begin = begin_of (lesson, stop);
-  const guint end = begin_of (lesson, stop + 1);
-
-  if (lesson->minutes == 0)
-    return g_strdup ("");
-  return g_strdup_printf ("%u:%02u – %u:%02u", begin / 60, begin % 60, end / 60,
-                          end % 60);
-}
 
 /* Notes */
-
-/* Notes go on after "Note:", so they begin as a clause does. */
-static char *
-capitalized (const char *words)
-{
-  char first[7] = { 0 };
-  const gunichar letter = g_utf8_get_char (words);
-
-  if (letter == 0)
-    return g_strdup ("");
-  g_unichar_to_utf8 (g_unichar_totitle (letter), first);
-  return g_strconcat (first, g_utf8_next_char (words), NULL);
-}
 
 /* A labelled text in a frame. */
 static void
@@ -100,7 +47,7 @@ handout_note (const Handout *handout,
   Block *frame = block_frame (handout->width, PADDING);
 
   if (note != NULL) {
-    g_autofree char *words = capitalized (note);
+    g_autofree char *words = prose_capitalize (note);
 
     add_labelled (handout, frame, _ ("For the lecturer"), words);
   }
@@ -119,7 +66,7 @@ static Block *
 timetable_row (const Handout *handout, guint stop, double width)
 {
   const LessonStop *row = lesson_stop (handout->lesson, stop);
-  g_autofree char *time = handout_time_of (handout->lesson, stop);
+  g_autofree char *time = timetable_text (handout->lesson, stop);
   g_autofree char *title = g_strdup_printf (
       "%u  %s%s", stop + 1, row->title, row->question != NULL ? " (?)" : "");
   Block *columns = block_columns (0);

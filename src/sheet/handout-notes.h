@@ -15,13 +15,6 @@ Block *handout_note (const Handout *handout,
                      const char *note,
                      const Question *question);
 
-/* When a stop begins and ends: the lesson's minutes shared out, twice as much
- * to a stop that asks as to another.
- *
- * Returns: (transfer full): "3:15 – 4:00", or "" when the lesson does not say
- *          how long it takes. */
-char *handout_time_of (const Lesson *lesson, guint stop);
-
 G_END_DECLS
 
 #endif

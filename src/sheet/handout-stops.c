@@ -6,6 +6,7 @@
 #include "form.h"
 #include "handout-notes.h"
 #include "stop-state.h"
+#include "timetable.h"
 
 #include <glib/gi18n.h>
 
@@ -219,7 +220,7 @@ heading (const Handout *handout, guint stop)
 {
   const char *title = lesson_stop (handout->lesson, stop)->title;
   g_autofree char *time = handout->options.has_notes
-                              ? handout_time_of (handout->lesson, stop)
+                              ? timetable_text (handout->lesson, stop)
                               : g_strdup ("");
   g_autofree char *numbered = g_strdup_printf ("%u  %s", stop + 1, title);
   Block *columns = block_columns (0);

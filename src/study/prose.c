@@ -224,3 +224,15 @@ prose_to_html (const char *commonmark)
   free (html);
   return copy;
 }
+
+char *
+prose_capitalize (const char *words)
+{
+  char first[7] = { 0 };
+  const gunichar letter = g_utf8_get_char (words);
+
+  if (letter == 0)
+    return g_strdup ("");
+  g_unichar_to_utf8 (g_unichar_totitle (letter), first);
+  return g_strconcat (first, g_utf8_next_char (words), NULL);
+}

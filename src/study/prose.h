@@ -23,6 +23,11 @@ char *prose_tree_to_markup (struct cmark_node *tree);
 /* Returns: (transfer full): the words alone. */
 char *prose_to_text (const char *commonmark);
 
+/* Notes go on after "Note:", so they begin as a clause does.
+ *
+ * Returns: (transfer full): @words with a capital at their beginning. */
+char *prose_capitalize (const char *words);
+
 /* Returns: the translation, borrowed, or NULL when there is none. */
 typedef const char *(*ProseTranslate) (const char *words);
 
