@@ -170,13 +170,25 @@ hull2vd_window_focus_wants_key (GtkWidget *focus, const GdkEventKey *event)
   return GTK_IS_BUTTON (focus) && is_press;
 }
 
+gboolean
+hull2vd_window_forward_key (Hull2vdWindow *window,
+                            GtkWindow *other,
+                            GdkEventKey *event)
+{
+  return window_cover_key (window, event)
+         || (hull2vd_window_focus_wants_key (gtk_window_get_focus (other),
+                                             event)
+             && gtk_window_propagate_key_event (other, event))
+         || gtk_window_activate_key (GTK_WINDOW (window), event);
+}
+
 static gboolean
 hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
 {
   GtkWindow *window = GTK_WINDOW (widget);
   Session *session = HULL2VD_WINDOW (widget)->session;
 
-  if (window_blank_key (HULL2VD_WINDOW (widget), event))
+  if (window_cover_key (HULL2VD_WINDOW (widget), event))
     return TRUE;
   if (event->keyval == GDK_KEY_Escape && session_give_up (session))
     return TRUE;
@@ -228,6 +240,7 @@ hull2vd_window_dispose (GObject *object)
 
   window_record_end (window);
   window_recovery_end (window);
+  window_lecturer_end (window);
   if (window->session != NULL)
     session_give_up (window->session);
   g_clear_pointer (&window->watch, lesson_watch_free);
@@ -328,7 +341,7 @@ hull2vd_window_init (Hull2vdWindow *window)
   window_files_init (window);
   window_recovery_init (window);
   window_space_init (window);
-  window_blank_add (window, GTK_WIDGET (window));
+  window_cover_add (window, GTK_WIDGET (window));
   focus_order_of_paned (window->lesson_paned);
   focus_order_of_paned (window->view_paned);
   tooltips_add (GTK_WIDGET (window));

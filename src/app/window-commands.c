@@ -59,7 +59,13 @@ window_command_state (Hull2vdWindow *window, const char *name)
   if (g_str_equal (name, "fullscreen"))
     return g_variant_new_boolean (is_fullscreen (window));
   if (g_str_equal (name, "blank"))
-    return g_variant_new_boolean (window_blank_is_on (window));
+    return g_variant_new_boolean (window_cover_is_black (window));
+  if (g_str_equal (name, "freeze"))
+    return g_variant_new_boolean (window_cover_is_frozen (window));
+  if (g_str_equal (name, "lecturer"))
+    return g_variant_new_boolean (window_lecturer_is_open (window));
+  if (g_str_equal (name, "clock"))
+    return g_variant_new_boolean (window_lecturer_is_running (window));
   if (g_str_equal (name, "record"))
     return g_variant_new_boolean (window_record_is_on (window));
   if (g_str_equal (name, "detach-space"))
@@ -233,7 +239,12 @@ static const Command commands[] = {
   { "close", run_close },
   { "quit", run_quit },
   { "fullscreen", run_fullscreen },
-  { "blank", window_blank_toggle },
+  { "blank", window_cover_toggle_black },
+  { "freeze", window_lecturer_toggle_freeze },
+  { "lecturer", window_lecturer_toggle },
+  { "clock", window_lecturer_toggle_clock },
+  { "clock-reset", window_lecturer_reset_clock },
+  { "overview", window_lecturer_show_overview },
   { "add-site-at", run_add_site_at },
   { "move-site-to", run_move_site_to },
   { "generate", run_generate },

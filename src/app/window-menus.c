@@ -66,6 +66,9 @@ static const MenuRow view_rows[] = {
   { N_ ("_Space in a Separate Window"), "detach-space" },
   { N_ ("Full _Screen"), "fullscreen" },
   { N_ ("_Black Screen"), "blank" },
+  { N_ ("_All Stops"), "overview" },
+  { N_ ("F_reeze What the Class Sees"), "freeze" },
+  { N_ ("_Lecturer’s Window"), "lecturer" },
   { NULL, NULL },
 };
 

@@ -8,6 +8,7 @@
 #include "coordinate-entry.h"
 #include "counters-panel.h"
 #include "hull2vd-window.h"
+#include "lecturer-window.h"
 #include "legend-panel.h"
 #include "lesson-panel.h"
 #include "lesson-watch.h"
@@ -78,8 +79,11 @@ struct _Hull2vdWindow {
   NarrationBar *narration_bar;
   Transport *transport;
   gboolean shows_panel[N_PANELS];
-  gboolean is_blank;  /* the screen is black */
-  gboolean is_placed; /* the divider stands where it was left */
+  LecturerWindow *lecturer; /* NULL: it is not open */
+  gboolean is_blank;        /* the screen is black */
+  gboolean is_frozen;       /* the screen stands still */
+  char *frozen_place;       /* where the session was then, in words */
+  gboolean is_placed;       /* the divider stands where it was left */
 };
 
 /* window-layout.c: columns, panels, and what is remembered of them. */
@@ -111,6 +115,13 @@ void hull2vd_window_update_title (Hull2vdWindow *window);
  * entries, Space on a button, arrows in a menu or on a site. */
 gboolean hull2vd_window_focus_wants_key (GtkWidget *focus,
                                          const GdkEventKey *event);
+/* A key in @other, a window beside this one: what its focus does not want is
+ * for the accelerators of @window.
+ *
+ * Returns: whether somebody wanted it. */
+gboolean hull2vd_window_forward_key (Hull2vdWindow *window,
+                                     GtkWindow *other,
+                                     GdkEventKey *event);
 
 /* window-files.c: open, save, export. What replaces unsaved sites asks first;
  * window_files_load() does not. */
@@ -150,13 +161,26 @@ gboolean window_space_is_detached (Hull2vdWindow *window);
 /* Remembers the size of its window. */
 void window_space_save (Hull2vdWindow *window);
 
-/* window-blank.c: the screen is black, and so is every window that was added,
- * until a key, a click or a touch. */
-void window_blank_add (Hull2vdWindow *window, GtkWidget *widget);
-void window_blank_toggle (Hull2vdWindow *window);
-gboolean window_blank_is_on (Hull2vdWindow *window);
+/* window-cover.c: what covers every window that was added: the black screen,
+ * until a key, a click or a touch, or a picture of what it showed. */
+void window_cover_add (Hull2vdWindow *window, GtkWidget *widget);
+void window_cover_toggle_black (Hull2vdWindow *window);
+gboolean window_cover_is_black (Hull2vdWindow *window);
 /* Returns: whether the key was for the black screen. */
-gboolean window_blank_key (Hull2vdWindow *window, const GdkEventKey *event);
+gboolean window_cover_key (Hull2vdWindow *window, const GdkEventKey *event);
+void window_cover_toggle_frozen (Hull2vdWindow *window);
+gboolean window_cover_is_frozen (Hull2vdWindow *window);
+
+/* window-lecturer.c: the lecturer's window. */
+void window_lecturer_toggle (Hull2vdWindow *window);
+gboolean window_lecturer_is_open (Hull2vdWindow *window);
+void window_lecturer_follow_cover (Hull2vdWindow *window);
+void window_lecturer_toggle_freeze (Hull2vdWindow *window); /* opens it */
+void window_lecturer_toggle_clock (Hull2vdWindow *window);  /* opens it */
+gboolean window_lecturer_is_running (Hull2vdWindow *window);
+void window_lecturer_reset_clock (Hull2vdWindow *window);
+void window_lecturer_show_overview (Hull2vdWindow *window);
+void window_lecturer_end (Hull2vdWindow *window); /* the window goes */
 
 /* window-dialog.c
  *

@@ -77,24 +77,19 @@ escape (GtkWidget *widget, Hull2vdWindow *window)
     gtk_window_close (GTK_WINDOW (widget));
 }
 
-/* What the focus does not want is for the main window, but for what is about
- * this one. */
+/* The full screen is that of this window. */
 static gboolean
 on_space_key (GtkWidget *widget, GdkEventKey *event, Hull2vdWindow *window)
 {
-  GtkWidget *focus = gtk_window_get_focus (GTK_WINDOW (widget));
-
-  if (window_blank_key (window, event))
-    return TRUE;
-  if (event->keyval == GDK_KEY_F11)
+  if (event->keyval == GDK_KEY_F11 && !window_cover_is_black (window)) {
     toggle_fullscreen (widget);
-  else if (!(hull2vd_window_focus_wants_key (focus, event)
-             && gtk_window_propagate_key_event (GTK_WINDOW (widget), event))
-           && !gtk_window_activate_key (GTK_WINDOW (window), event)) {
-    if (event->keyval != GDK_KEY_Escape)
-      return FALSE;
-    escape (widget, window);
+    return TRUE;
   }
+  if (hull2vd_window_forward_key (window, GTK_WINDOW (widget), event))
+    return TRUE;
+  if (event->keyval != GDK_KEY_Escape)
+    return FALSE;
+  escape (widget, window);
   return TRUE;
 }
 
@@ -146,7 +141,7 @@ make_window (Hull2vdWindow *window)
                     window);
   g_signal_connect (space, "key-press-event", G_CALLBACK (on_space_key),
                     window);
-  window_blank_add (window, space);
+  window_cover_add (window, space);
   return space;
 }
 

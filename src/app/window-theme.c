@@ -133,6 +133,8 @@ window_theme_dress (Hull2vdWindow *window)
   set_class (GTK_WIDGET (window), kind);
   if (window->space_window != NULL)
     set_class (window->space_window, kind);
+  if (window->lecturer != NULL)
+    set_class (GTK_WIDGET (window->lecturer), kind);
 }
 
 static void
