@@ -8,7 +8,11 @@
 
 #include <math.h>
 
-#define RING_GAP_PX 2 /* between a mark and the ring of the focus */
+#define RING_GAP_PX 0.7 /* from a mark to the ring of the focus */
+#define RING_PX 3.0
+#define RING_CASING_PX 5.0
+#define GLOW_PX 9.0 /* round a site; its name is read through it */
+#define GLOW_ALPHA 0.25
 
 typedef struct CanvasPrivate {
   Session *session;
@@ -168,28 +172,49 @@ trace_outline (Canvas *canvas, cairo_t *cr)
   return TRUE;
 }
 
-/* How far a ring stands off what is located, so that it is round the mark of a
- * site, however large marks are. */
+/* How far the mark of a site reaches, as it is now. */
 static double
-ring_distance (Canvas *canvas, Object object)
+mark_reach (Canvas *canvas, guint site)
 {
-  const gboolean is_apex
-      = object.kind == OBJECT_SITE
-        && object.number == session_get_apex (canvas_get_session (canvas));
-  const SceneItem item = { .role = is_apex ? ROLE_SITE_APEX : ROLE_SITE_OUTSIDE,
-                           .emphasis = EMPHASIS_LOUD };
-  const Style style = theme_style (canvas_get_theme (canvas), &item);
+  const Scene *scene = canvas_show_get_scene (priv (canvas)->show);
+  double most = 0;
 
-  return MAX (0, brush_mark_reach (&style) + RING_GAP_PX - LOCATE_MARGIN_PX);
+  for (guint i = 0; i < scene->n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+
+    if (item->shape == SHAPE_MARK && item->object.kind == OBJECT_SITE
+        && item->object.number == site) {
+      const Style style = theme_style (canvas_get_theme (canvas), item);
+
+      most = MAX (most, brush_mark_reach (&style));
+    }
+  }
+  return most;
 }
 
-static void
-trace_box (Canvas *canvas, cairo_t *cr, const GdkRectangle *box)
+/* A glow, and a circle in it that leaves the site its name.
+ *
+ * Returns: FALSE: what has the focus is no site. */
+static gboolean
+trace_circle (Canvas *canvas, cairo_t *cr)
 {
-  const double distance = ring_distance (canvas, priv (canvas)->cursor);
+  const Object cursor = priv (canvas)->cursor;
+  const Colour colour = canvas_get_theme (canvas)->selection;
+  Point3 at[3];
+  double radius;
 
-  cairo_rectangle (cr, box->x - distance, box->y - distance,
-                   box->width + 2 * distance, box->height + 2 * distance);
+  if (cursor.kind != OBJECT_SITE || canvas_show_is_busy (priv (canvas)->show)
+      || canvas_outline (canvas, cursor, at) != 1 || is_far (at))
+    return FALSE;
+  radius = mark_reach (canvas, cursor.number) + RING_GAP_PX;
+  cairo_set_source_rgba (cr, colour.red, colour.green, colour.blue, GLOW_ALPHA);
+  cairo_set_fill_rule (cr, CAIRO_FILL_RULE_EVEN_ODD);
+  cairo_arc (cr, at[0].x, at[0].y, radius + GLOW_PX, 0, 2 * G_PI);
+  cairo_new_sub_path (cr);
+  cairo_arc (cr, at[0].x, at[0].y, radius, 0, 2 * G_PI);
+  cairo_fill (cr);
+  cairo_arc (cr, at[0].x, at[0].y, radius, 0, 2 * G_PI);
+  return TRUE;
 }
 
 static void
@@ -198,10 +223,10 @@ stroke_ring (cairo_t *cr, const Theme *theme)
   const Colour colour = theme->selection, ground = theme->background;
 
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
-  cairo_set_line_width (cr, 7);
+  cairo_set_line_width (cr, RING_CASING_PX);
   cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);
   cairo_stroke_preserve (cr);
-  cairo_set_line_width (cr, 3);
+  cairo_set_line_width (cr, RING_PX);
   cairo_set_source_rgb (cr, colour.red, colour.green, colour.blue);
   cairo_set_dash (cr, (const double[]){ 6, 4 }, 2, 0);
   cairo_stroke (cr);
@@ -215,10 +240,10 @@ draw_focus (Canvas *canvas, cairo_t *cr)
   GtkWidget *widget = GTK_WIDGET (canvas);
   GdkRectangle box;
 
-  if (trace_outline (canvas, cr))
+  if (trace_outline (canvas, cr) || trace_circle (canvas, cr))
     stroke_ring (cr, canvas_get_theme (canvas));
   else if (canvas_locate (canvas, priv (canvas)->cursor, &box)) {
-    trace_box (canvas, cr, &box);
+    cairo_rectangle (cr, box.x, box.y, box.width, box.height);
     stroke_ring (cr, canvas_get_theme (canvas));
   } else
     gtk_render_focus (gtk_widget_get_style_context (widget), cr, 1, 1,
