@@ -8,7 +8,8 @@
 #define PADDING 1.5
 #define CROWDED 0.75 /* where sites are drawn smaller, few have names */
 
-#define NAME_ROOM 2.2 /* from site to site, times the size of type */
+#define NAME_ROOM 2.2   /* from site to site, times the size of type */
+#define SPACE_ROOM 1.28 /* of it in space, where more lines meet */
 #define LARGE_TEXT_PX 18.0
 
 #define FEW 24 /* so many that are lit are all shown, whatever they cover */
@@ -262,9 +263,10 @@ static bool
 has_room_for_names (const Painter *painter)
 {
   const double text_px = MIN (painter->theme->text_px, LARGE_TEXT_PX);
+  const double room
+      = NAME_ROOM * text_px * (painter->scene->is_space ? SPACE_ROOM : 1);
 
-  return !is_crowd (painter->drawing)
-         && painter_room (painter) >= NAME_ROOM * text_px;
+  return !is_crowd (painter->drawing) && painter_room (painter) >= room;
 }
 
 void
