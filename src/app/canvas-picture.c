@@ -226,7 +226,8 @@ void
 picture_work_do (PictureWork *work, const Scene *scene)
 {
   if (work->is_rough) {
-    drawing_set_sketch (work->drawing, scene, &work->projection, &work->theme);
+    drawing_set_sketch (work->drawing, scene, &work->projection, &work->theme,
+                        work->scale);
     return;
   }
   if (work->is_for_gl) {

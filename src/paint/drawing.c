@@ -25,6 +25,7 @@ drawing_free (Drawing *drawing)
   free (drawing->pixels);
   free (drawing->styles);
   free (drawing->placed);
+  bare_clear (&drawing->bare);
   free (drawing->sorts);
   hidden_corners_free (drawing->hidden);
   free (drawing);
@@ -38,6 +39,7 @@ drawing_begin (Drawing *drawing,
 {
   drawing->n_strokes = drawing->n_pixels = 0;
   drawing->n_styles = drawing->n_placed = 0;
+  bare_begin (&drawing->bare);
   drawing->theme = theme;
   drawing->width = projection->width;
   drawing->height = projection->height;
@@ -47,6 +49,7 @@ drawing_begin (Drawing *drawing,
   drawing->in_hand = (StrokePlace){ INDEX_NONE, 0, 0 };
   drawing->key = 0;
   drawing->is_sketch = stock != NULL && stock->is_sketch;
+  drawing->scale = stock != NULL ? stock->scale : 1;
 }
 
 uint32_t

@@ -13,6 +13,7 @@
 #ifndef DRAWING_H
 #define DRAWING_H
 
+#include "bare.h"
 #include "box-index.h"
 #include "clip.h"
 #include "names.h"
@@ -68,6 +69,7 @@ typedef struct Drawing {
   uint32_t n_styles, styles_room;
   PlacedName *placed;
   uint32_t n_placed, placed_room;
+  Bare bare;            /* of a sketch, each before the stroke that is next */
   Names *names;         /* borrowed; kept from one scene to the next */
   uint32_t edition;     /* of the names; numbers of another one are void */
   const Theme *theme;   /* borrowed */
@@ -76,6 +78,7 @@ typedef struct Drawing {
   StrokePlace in_hand;  /* of the strokes that are begun next, */
   uint64_t key;         /* and their key */
   bool is_sketch;       /* drawing_set_sketch() */
+  double scale;         /* of a sketch, device pixels per px */
   struct HiddenCorners *hidden; /* painter-hidden.c: corners of the scene */
   struct PainterSort *sorts;    /* painter-style.c: which style is whose */
 } Drawing;
@@ -92,12 +95,14 @@ void drawing_set (Drawing *drawing,
                   const Theme *theme);
 
 /* The same for a picture that is looked at for a moment, because something
- * moves: where there is much to draw, what is hardly seen is left out. Such a
- * drawing is a sketch, and none of its strokes has a key. */
+ * moves: where there is much to draw, what is hardly seen is left out, and what
+ * is simple is bare. Such a drawing is a sketch, none of its strokes has a key,
+ * and OpenGL alone can paint it, at this scale. */
 void drawing_set_sketch (Drawing *drawing,
                          const Scene *scene,
                          const Projection *projection,
-                         const Theme *theme);
+                         const Theme *theme,
+                         double scale);
 
 /* The same of its stock alone, as if nothing were lit. What is lit can be laid
  * over it: lit-drawing.h. */

@@ -12,26 +12,8 @@ gl_batch_clear (GlBatch *batch)
 {
   free (batch->vertices);
   free (batch->indices);
-  free (batch->bare);
-  free (batch->runs);
+  bare_clear (&batch->bare);
   memset (batch, 0, sizeof *batch);
-}
-
-static unsigned char
-channel (double value, double alpha)
-{
-  return (unsigned char)(255 * value * alpha + 0.5);
-}
-
-void
-gl_batch_bytes (Colour colour, unsigned char bytes[4])
-{
-  const double alpha = fmin (fmax (colour.alpha, 0), 1);
-
-  bytes[0] = channel (colour.red, alpha);
-  bytes[1] = channel (colour.green, alpha);
-  bytes[2] = channel (colour.blue, alpha);
-  bytes[3] = channel (alpha, 1);
 }
 
 void
@@ -43,26 +25,12 @@ gl_batch_add (GlBatch *batch, const GlInk *ink, Pixel at, const float local[3])
     .shape = { ink->shape[0], ink->shape[1], ink->shape[2], (float)ink->kind },
   };
 
-  gl_batch_bytes (ink->colour, vertex.colour);
+  bare_bytes (ink->colour, vertex.colour);
   if (batch->n_vertices == batch->vertices_room)
     batch->vertices
         = memory_grow (batch->vertices, &batch->vertices_room,
                        batch->n_vertices + 1, sizeof *batch->vertices);
   batch->vertices[batch->n_vertices++] = vertex;
-}
-
-void
-gl_batch_begin_run (GlBatch *batch, GlRunKind kind)
-{
-  const uint32_t first
-      = kind == GL_RUN_STROKES ? batch->n_indices : batch->n_bare;
-
-  if (batch->n_runs > 0 && batch->runs[batch->n_runs - 1].kind == kind)
-    return;
-  if (batch->n_runs == batch->runs_room)
-    batch->runs = memory_grow (batch->runs, &batch->runs_room,
-                               batch->n_runs + 1, sizeof *batch->runs);
-  batch->runs[batch->n_runs++] = (GlRun){ kind, first, 0 };
 }
 
 static void
@@ -72,38 +40,17 @@ add_index (GlBatch *batch, uint32_t vertex)
     batch->indices = memory_grow (batch->indices, &batch->indices_room,
                                   batch->n_indices + 1, sizeof *batch->indices);
   batch->indices[batch->n_indices++] = vertex;
-  batch->runs[batch->n_runs - 1].n++;
-}
-
-bool
-gl_cut_next (GlCut *cut, uint32_t n, uint32_t triangle[3])
-{
-  for (; n >= 3 && cut->step < n - 1; cut->step *= 2) {
-    const uint32_t middle = cut->first + cut->step;
-
-    if (middle < n - 1) {
-      triangle[0] = cut->first;
-      triangle[1] = middle;
-      triangle[2] = middle + cut->step < n ? middle + cut->step : n - 1;
-      cut->first = triangle[2];
-      return true;
-    }
-    cut->first = 0;
-  }
-  return false;
 }
 
 void
 gl_batch_join (GlBatch *batch, uint32_t n)
 {
   const uint32_t first = batch->n_vertices - n;
-  GlCut cut = GL_CUT_INIT;
+  BareCut cut = BARE_CUT_INIT;
   uint32_t triangle[3];
   int i;
 
-  if (n >= 3)
-    gl_batch_begin_run (batch, GL_RUN_STROKES);
-  while (gl_cut_next (&cut, n, triangle))
+  while (bare_cut_next (&cut, n, triangle))
     for (i = 0; i < 3; i++)
       add_index (batch, first + triangle[i]);
 }
@@ -128,6 +75,12 @@ add_polygon (GlBatch *batch,
   gl_batch_join (batch, n);
 }
 
+static BarePlace
+here (const GlBatch *batch)
+{
+  return (BarePlace){ batch->n_indices, 0 };
+}
+
 void
 gl_batch_fill (GlBatch *batch, const Pixel *corners, uint32_t n, Colour colour)
 {
@@ -136,7 +89,7 @@ gl_batch_fill (GlBatch *batch, const Pixel *corners, uint32_t n, Colour colour)
   if (!(colour.alpha > 0))
     return;
   if (batch->is_sketch)
-    gl_sketch_polygon (batch, corners, n, colour);
+    bare_polygon (&batch->bare, here (batch), corners, n, batch->scale, colour);
   else
     add_polygon (batch, &ink, corners, n, 0);
 }
@@ -191,7 +144,13 @@ add_line (GlBatch *batch,
           bool is_closed)
 {
   GlLine line = line_of (batch, style);
+  Colour colour;
 
+  if (batch->is_sketch && bare_line_colour (style, batch->scale, &colour)) {
+    bare_path (&batch->bare, here (batch), pixels, n, is_closed, batch->scale,
+               colour);
+    return;
+  }
   line.is_closed = is_closed;
   if (style->halo.alpha > 0) {
     GlLine halo = line;
@@ -351,12 +310,21 @@ add_mark (GlBatch *batch, const Style *style, Pixel at)
   }
 }
 
+/* Adds what is bare before a stroke, from *@run on. */
+static void
+add_bare (GlBatch *batch, const Bare *bare, uint32_t stroke, uint32_t *run)
+{
+  for (; *run < bare->n_runs && bare->runs[*run].place.before <= stroke; ++*run)
+    bare_copy (&batch->bare, here (batch), bare, &bare->runs[*run]);
+}
+
 void
 gl_batch_set (GlBatch *batch, const Drawing *drawing, double scale)
 {
-  uint32_t i;
+  uint32_t i, run = 0;
 
-  batch->n_vertices = batch->n_indices = batch->n_bare = batch->n_runs = 0;
+  batch->n_vertices = batch->n_indices = 0;
+  bare_begin (&batch->bare);
   batch->scale = scale;
   batch->is_sketch = drawing->is_sketch;
   batch->theme = drawing->theme;
@@ -365,8 +333,7 @@ gl_batch_set (GlBatch *batch, const Drawing *drawing, double scale)
     const Pixel *pixels = &drawing->pixels[stroke->first];
     const Style *style = &drawing->styles[stroke->style];
 
-    if (batch->is_sketch && gl_sketch_add (batch, stroke, style, pixels))
-      continue;
+    add_bare (batch, &drawing->bare, i, &run);
     switch (stroke->kind) {
     case STROKE_POLYGON:
       add_area (batch, style, stroke, pixels);
@@ -388,4 +355,5 @@ gl_batch_set (GlBatch *batch, const Drawing *drawing, double scale)
       break;
     }
   }
+  add_bare (batch, &drawing->bare, i, &run);
 }

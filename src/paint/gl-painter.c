@@ -22,7 +22,7 @@ typedef struct Program {
 
 struct GlPainter {
   Program programs[N_GL_PROGRAMS];
-  unsigned vertex_arrays[2], buffers[2]; /* of GlVertex and GlBareVertex */
+  unsigned vertex_arrays[2], buffers[2]; /* of GlVertex and BareVertex */
   unsigned index_buffer;                 /* for the first one */
   unsigned framebuffer, renderbuffer;    /* with several samples */
   int width, height;                     /* of the renderbuffer */
@@ -71,10 +71,10 @@ make_buffers (GlPainter *painter)
     { 0 },
   };
   static const VertexPart bare_parts[] = {
-    { GL_ATTRIBUTE_AT, 2, GL_FLOAT, FALSE, offsetof (GlBareVertex, at) },
-    { GL_ATTRIBUTE_SIDE, 1, GL_FLOAT, FALSE, offsetof (GlBareVertex, side) },
+    { GL_ATTRIBUTE_AT, 2, GL_FLOAT, FALSE, offsetof (BareVertex, at) },
+    { GL_ATTRIBUTE_RADII, 2, GL_FLOAT, FALSE, offsetof (BareVertex, radii) },
     { GL_ATTRIBUTE_COLOUR, 4, GL_UNSIGNED_BYTE, TRUE,
-      offsetof (GlBareVertex, colour) },
+      offsetof (BareVertex, colour) },
     { 0 },
   };
 
@@ -83,7 +83,7 @@ make_buffers (GlPainter *painter)
   glGenBuffers (1, &painter->index_buffer);
   make_array (painter, 0, parts, sizeof (GlVertex));
   glBindBuffer (GL_ELEMENT_ARRAY_BUFFER, painter->index_buffer);
-  make_array (painter, 1, bare_parts, sizeof (GlBareVertex));
+  make_array (painter, 1, bare_parts, sizeof (BareVertex));
   glBindVertexArray (0);
   glGenFramebuffers (1, &painter->framebuffer);
   glGenRenderbuffers (1, &painter->renderbuffer);
@@ -229,29 +229,27 @@ use (const GlPainter *painter, GlProgramKind kind)
 }
 
 static void
-draw_run (const GlPainter *painter, const GlRun *run)
+draw_run (const GlPainter *painter, const BareRun *run)
 {
-  const uintptr_t offset = run->first * sizeof *painter->batch.indices;
-  const int first = (int)run->first, n = (int)run->n;
+  static const unsigned modes[] = { [BARE_TRIANGLES] = GL_TRIANGLES,
+                                    [BARE_LINES] = GL_LINES,
+                                    [BARE_DISCS] = GL_POINTS };
 
-  switch (run->kind) {
-  case GL_RUN_STROKES:
-    use (painter, GL_PROGRAM_STROKES);
-    glDrawElements (GL_TRIANGLES, n, GL_UNSIGNED_INT, (const void *)offset);
-    break;
-  case GL_RUN_TRIANGLES:
-    use (painter, GL_PROGRAM_BARE);
-    glDrawArrays (GL_TRIANGLES, first, n);
-    break;
-  case GL_RUN_LINES:
-    use (painter, GL_PROGRAM_BARE);
-    glDrawArrays (GL_LINES, first, n);
-    break;
-  case GL_RUN_POINTS:
-    use (painter, GL_PROGRAM_BARE);
-    glDrawArrays (GL_POINTS, first, n);
-    break;
-  }
+  use (painter, run->kind == BARE_DISCS ? GL_PROGRAM_DISCS : GL_PROGRAM_BARE);
+  glDrawArrays (modes[run->kind], (int)run->first, (int)run->n);
+}
+
+/* Draws the strokes whose indices are @from … @to - 1. */
+static void
+draw_strokes (const GlPainter *painter, uint32_t from, uint32_t to)
+{
+  const uintptr_t offset = from * sizeof *painter->batch.indices;
+
+  if (from == to)
+    return;
+  use (painter, GL_PROGRAM_STROKES);
+  glDrawElements (GL_TRIANGLES, (int)(to - from), GL_UNSIGNED_INT,
+                  (const void *)offset);
 }
 
 static void
@@ -265,21 +263,25 @@ static void
 draw (const GlPainter *painter)
 {
   const GlBatch *batch = &painter->batch;
-  uint32_t i;
+  const Bare *bare = &batch->bare;
+  uint32_t i, drawn = 0;
 
   glBindVertexArray (painter->vertex_arrays[0]);
   fill_buffer (GL_ARRAY_BUFFER, painter->buffers[0], batch->vertices,
                batch->n_vertices * sizeof *batch->vertices);
   fill_buffer (GL_ELEMENT_ARRAY_BUFFER, painter->index_buffer, batch->indices,
                batch->n_indices * sizeof *batch->indices);
-  fill_buffer (GL_ARRAY_BUFFER, painter->buffers[1], batch->bare,
-               batch->n_bare * sizeof *batch->bare);
-  for (i = 0; i < batch->n_runs; i++) {
-    draw_run (painter, &batch->runs[i]);
+  fill_buffer (GL_ARRAY_BUFFER, painter->buffers[1], bare->vertices,
+               bare->n_vertices * sizeof *bare->vertices);
+  for (i = 0; i < bare->n_runs; i++) {
+    draw_strokes (painter, drawn, bare->runs[i].place.before);
+    drawn = bare->runs[i].place.before;
+    draw_run (painter, &bare->runs[i]);
     /* Let it be painted while the next one is told. */
-    if (batch->runs[i].n >= LONG_RUN)
+    if (bare->runs[i].n >= LONG_RUN)
       glFlush ();
   }
+  draw_strokes (painter, drawn, batch->n_indices);
   glBindVertexArray (0);
   glBindBuffer (GL_ARRAY_BUFFER, 0);
   glUseProgram (0);

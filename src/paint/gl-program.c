@@ -9,6 +9,8 @@
 
 #include "bare-fragment.h"
 #include "bare-vertex.h"
+#include "disc-fragment.h"
+#include "disc-vertex.h"
 #include "stroke-fragment.h"
 #include "stroke-vertex.h"
 
@@ -55,7 +57,7 @@ link_program (unsigned program, const unsigned shaders[2], GError **error)
   glBindAttribLocation (program, GL_ATTRIBUTE_COLOUR, "colour");
   glBindAttribLocation (program, GL_ATTRIBUTE_LOCAL, "local");
   glBindAttribLocation (program, GL_ATTRIBUTE_SHAPE, "shape");
-  glBindAttribLocation (program, GL_ATTRIBUTE_SIDE, "side");
+  glBindAttribLocation (program, GL_ATTRIBUTE_RADII, "radii");
   glLinkProgram (program);
   glGetProgramiv (program, GL_LINK_STATUS, &is_linked);
   if (is_linked)
@@ -72,6 +74,7 @@ gl_program_new (GlProgramKind kind, GError **error)
   static const char *const sources[N_GL_PROGRAMS][2] = {
     [GL_PROGRAM_STROKES] = { stroke_vertex, stroke_fragment },
     [GL_PROGRAM_BARE] = { bare_vertex, bare_fragment },
+    [GL_PROGRAM_DISCS] = { disc_vertex, disc_fragment },
   };
   unsigned shaders[2] = { 0, 0 };
   unsigned program = 0;

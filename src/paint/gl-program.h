@@ -10,16 +10,17 @@ typedef enum GlAttribute {
   GL_ATTRIBUTE_COLOUR,
   GL_ATTRIBUTE_LOCAL,
   GL_ATTRIBUTE_SHAPE,
-  GL_ATTRIBUTE_SIDE,
+  GL_ATTRIBUTE_RADII,
 } GlAttribute;
 
 /* What a program paints. */
 typedef enum GlProgramKind {
   GL_PROGRAM_STROKES, /* GlVertex */
-  GL_PROGRAM_BARE,    /* GlBareVertex */
+  GL_PROGRAM_BARE,    /* BareVertex: triangles and lines, */
+  GL_PROGRAM_DISCS,   /* discs */
 } GlProgramKind;
 
-#define N_GL_PROGRAMS (GL_PROGRAM_BARE + 1)
+#define N_GL_PROGRAMS (GL_PROGRAM_DISCS + 1)
 
 /* Returns: the program, or 0 with @error set. */
 unsigned gl_program_new (GlProgramKind kind, GError **error);

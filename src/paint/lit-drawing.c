@@ -209,6 +209,31 @@ merge_stroke (const LitDrawing *light,
   copy_stroke (to, stock, stroke, 0);
 }
 
+/* What is bare before a stroke, from *@run on. What is lit comes over its whole
+ * layer. */
+static void
+merge_bare (const LitDrawing *light,
+            const Drawing *stock,
+            uint32_t stroke,
+            uint32_t *run,
+            uint32_t *n_merged,
+            Drawing *to)
+{
+  const Drawing *lit = light->lit;
+  const Bare *bare = &stock->bare;
+
+  for (; *run < bare->n_runs && bare->runs[*run].place.before <= stroke;
+       ++*run) {
+    const BareRun *next = &bare->runs[*run];
+
+    while (*n_merged < lit->n_strokes
+           && lit->strokes[*n_merged].place.layer < next->place.layer)
+      copy_stroke (to, lit, &lit->strokes[(*n_merged)++], stock->n_styles);
+    bare_copy (&to->bare, (BarePlace){ to->n_strokes, next->place.layer }, bare,
+               next);
+  }
+}
+
 static void
 merge_names (const LitDrawing *light,
              const Drawing *stock,
@@ -234,17 +259,20 @@ lit_drawing_merge (const LitDrawing *light,
 {
   const Projection size = { .width = stock->width, .height = stock->height };
   const Drawing *lit = light->lit;
-  uint32_t i, n_merged = 0;
+  uint32_t i, n_merged = 0, run = 0;
 
   drawing_begin (to, &size, stock->theme, stock);
   add_styles (to, stock);
   add_styles (to, lit);
   for (i = 0; i < n; i++) {
-    const Stroke *stroke = &stock->strokes[strokes == NULL ? i : strokes[i]];
+    const uint32_t number = strokes == NULL ? i : strokes[i];
+    const Stroke *stroke = &stock->strokes[number];
 
+    merge_bare (light, stock, number, &run, &n_merged, to);
     if (!is_lit (scene, stroke))
       merge_stroke (light, stock, stroke, &n_merged, to);
   }
+  merge_bare (light, stock, stock->n_strokes, &run, &n_merged, to);
   while (n_merged < lit->n_strokes)
     copy_stroke (to, lit, &lit->strokes[n_merged++], stock->n_styles);
   merge_names (light, stock, scene, to);

@@ -3,6 +3,7 @@
 #include "painter-private.h"
 
 #include <glib.h>
+#include <string.h>
 
 /* Marks of what is hidden come before those of all that is not. */
 static uint32_t
@@ -22,8 +23,8 @@ find_depths (const Painter *painter,
   const Scene *scene = painter->scene;
   uint32_t i;
 
-  if (items == NULL && n > 0) {
-    scene_stock_depths (scene, painter->projection, depths);
+  if (items == NULL) {
+    memcpy (depths, painter->depths, n);
     return;
   }
   for (i = 0; i < n; i++)

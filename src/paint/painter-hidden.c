@@ -140,11 +140,10 @@ begin_scene (HiddenCorners *hidden, const Scene *scene)
 }
 
 static void
-look_at (HiddenCorners *hidden, const Painter *painter, const SceneItem *item)
+look_at (HiddenCorners *hidden, const SceneItem *item, SceneDepth depth)
 {
-  const bool is_seen
-      = is_active (item) || item->is_two_sided || item->fade >= FADED
-        || scene_faces_eye (painter->scene, item, painter->projection);
+  const bool is_seen = is_active (item) || item->fade >= FADED
+                       || depth == DEPTH_HULL_NEAR || depth == DEPTH_CONE_NEAR;
   const unsigned char state = CORNER_OF_HULL | (is_seen ? CORNER_SEEN : 0);
   uint32_t i;
 
@@ -170,7 +169,8 @@ painter_find_hidden (Painter *painter)
     begin_scene (hidden, scene);
   memset (hidden->states, 0, hidden->n_corners);
   for (i = 0; i < hidden->n_items; i++)
-    look_at (hidden, painter, &scene->items[hidden->items[i]]);
+    look_at (hidden, &scene->items[hidden->items[i]],
+             (SceneDepth)painter->depths[hidden->items[i]]);
   painter->hidden = hidden;
 }
 

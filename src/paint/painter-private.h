@@ -40,9 +40,12 @@ typedef struct Painter {
   const Theme *theme;
   Point3 lamp;      /* painter_lamp() */
   bool is_plain;    /* paints as if nothing were lit */
-  bool is_hasty;    /* draws a sketch where there is much to draw */
+  bool is_hasty;    /* draws a sketch where there is much to draw, */
+  bool is_sketch;   /* and does so, */
+  double scale;     /* device pixels per px */
   SceneDepth depth; /* of the items in hand */
   bool is_behind;   /* the item in hand is a site that the hull hides */
+  const unsigned char *depths; /* SceneDepths of the stock */
   const HiddenCorners *hidden; /* NULL: it hides none */
   PainterSort *sorts; /* N_PAINTER_SORTS of them; NULL where few are painted */
   const Drawing *before; /* to take strokes from; or NULL */
@@ -122,6 +125,21 @@ void painter_trace (Painter *painter,
                     const SceneItem *item,
                     StrokeKind kind,
                     uint32_t style);
+
+/* Sketches (painter-sketch.c). Adds an item as bare shapes.
+ *
+ * Returns: false when strokes are to be made of it. */
+bool painter_sketch_polygon (Painter *painter,
+                             const SceneItem *item,
+                             const Style *style,
+                             Colour fill);
+bool painter_sketch_path (Painter *painter,
+                          const SceneItem *item,
+                          const Style *style);
+bool painter_sketch_mark (Painter *painter,
+                          const SceneItem *item,
+                          const Style *style,
+                          Pixel at);
 
 /* Adds the lines of the paraboloid on the side that faces the eye, or on the
  * other one. The sheet itself lies behind the hull, both sides of it: a

@@ -48,7 +48,8 @@ trace_side (Painter *painter,
       last++;
     part.first = item->first + first;
     part.n = last - first + 1;
-    painter_trace (painter, &part, STROKE_LINE, style);
+    if (!painter_sketch_path (painter, &part, &painter->drawing->styles[style]))
+      painter_trace (painter, &part, STROKE_LINE, style);
   }
 }
 
@@ -196,22 +197,41 @@ outline_of (const Painter *painter, const SceneItem *rim)
   return hull;
 }
 
-/* Through the rim one side is seen, and the other one everywhere else. */
 static void
-fill_side (Painter *painter, const SceneItem *rim, GArray *all, bool is_near)
+fill_part (Painter *painter, GArray *outer, GArray *inner, double alpha)
 {
-  g_autoptr (GArray) opening = pixels_of (painter, rim, 1);
   Style style = painter->theme->styles[ROLE_SHEET];
   Stroke *stroke;
 
-  style.fill.alpha *= 1 - rim->fade;
+  style.fill.alpha = alpha;
   stroke = stroke_begin (painter->drawing, STROKE_REGION,
                          drawing_add_style (painter->drawing, &style));
-  add_hull (painter, all);
+  add_hull (painter, outer);
   stroke->n_outer = stroke->n;
-  if (looks_into (painter, rim) == is_near)
-    add_hull (painter, opening);
+  if (inner != NULL)
+    add_hull (painter, inner);
   stroke_end (painter->drawing);
+}
+
+/* Through the rim one side is seen, and the other one everywhere else. A sketch
+ * fills no pixel twice. */
+static void
+fill_sides (Painter *painter, const SceneItem *rim, GArray *all)
+{
+  g_autoptr (GArray) opening = pixels_of (painter, rim, 1);
+  const double alpha
+      = painter->theme->styles[ROLE_SHEET].fill.alpha * (1 - rim->fade);
+
+  if (painter->is_sketch) {
+    fill_part (painter, all, opening, alpha * (2 - alpha));
+    fill_part (painter, opening, NULL, alpha);
+  } else if (looks_into (painter, rim)) {
+    fill_part (painter, all, NULL, alpha);
+    fill_part (painter, all, opening, alpha);
+  } else {
+    fill_part (painter, all, opening, alpha);
+    fill_part (painter, all, NULL, alpha);
+  }
 }
 
 /* Where the sheet turns from one side to the other. */
@@ -270,8 +290,7 @@ painter_add_sheet (Painter *painter, const PaintOrder *order, bool is_near)
   if (!is_near) {
     g_autoptr (GArray) all = outline_of (painter, rim);
 
-    fill_side (painter, rim, all, false);
-    fill_side (painter, rim, all, true);
+    fill_sides (painter, rim, all);
     add_outline (painter, rim, all);
   }
   add_lines (painter, order, is_near);

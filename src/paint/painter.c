@@ -72,21 +72,34 @@ add_corners (Painter *painter, const SceneItem *item)
   stroke_end (painter->drawing);
 }
 
+/* Returns: the fill of a polygon: of cells their own hue, of facets as the
+ *          light falls on them. */
+static Colour
+fill_of (const Painter *painter, const SceneItem *item, const Style *look)
+{
+  const Colour fill = theme_has_hue (item->role)
+                          ? painter_style (painter, item).fill
+                          : look->fill;
+
+  if (look->is_shaded && painter->scene->is_space && item->pass == PASS_HULL)
+    return painter_shade (painter, item, fill);
+  return fill;
+}
+
 static void
 add_polygon (Painter *painter, const SceneItem *item)
 {
   Drawing *drawing = painter->drawing;
   const uint32_t style = painter_number_style (painter, item);
   const Style *look = &drawing->styles[style];
-  Stroke *stroke;
+  Colour fill;
 
   if (look->fill.alpha <= 0 && look->line.alpha <= 0 && look->halo.alpha <= 0)
     return;
-  stroke = stroke_begin (drawing, STROKE_POLYGON, style);
-  if (theme_has_hue (item->role))
-    stroke->fill = painter_style (painter, item).fill;
-  if (look->is_shaded && painter->scene->is_space && item->pass == PASS_HULL)
-    stroke->fill = painter_shade (painter, item, stroke->fill);
+  fill = fill_of (painter, item, look);
+  if (painter_sketch_polygon (painter, item, look, fill))
+    return;
+  stroke_begin (drawing, STROKE_POLYGON, style)->fill = fill;
   add_corners (painter, item);
 }
 
@@ -136,7 +149,8 @@ add_path (Painter *painter, const SceneItem *item)
   const bool may_lack
       = painter->drawing->is_sketch && painter->depth == DEPTH_HULL_FAR;
 
-  if (look->line.alpha > (may_lack ? FAINT / look->width : 0))
+  if (look->line.alpha > (may_lack ? FAINT / look->width : 0)
+      && !painter_sketch_path (painter, item, look))
     painter_trace (painter, item, STROKE_LINE, style);
 }
 
@@ -153,6 +167,8 @@ add_mark (Painter *painter, const SceneItem *item)
       || at.x < -PAINTER_MARGIN || at.y < -PAINTER_MARGIN
       || at.x > painter->projection->width + PAINTER_MARGIN
       || at.y > painter->projection->height + PAINTER_MARGIN)
+    return;
+  if (painter_sketch_mark (painter, item, look, at))
     return;
   stroke_begin (painter->drawing, STROKE_MARK, style);
   stroke_add (painter->drawing, at);
@@ -233,6 +249,7 @@ add_mat_style (Painter *painter, double fade)
 static void
 add_mat (Painter *painter)
 {
+  static const Style bare = { .mark = MARK_NONE };
   const Scene *scene = painter->scene;
   double fade = 1;
   uint32_t i, style = 0;
@@ -248,6 +265,9 @@ add_mat (Painter *painter)
     if (fade < item->fade || fade > item->fade)
       style = add_mat_style (painter, item->fade);
     fade = item->fade;
+    if (painter_sketch_polygon (painter, item, &bare,
+                                painter->drawing->styles[style].fill))
+      continue;
     stroke_begin (painter->drawing, STROKE_POLYGON, style);
     add_corners (painter, item);
     painter_note_new (painter);
@@ -272,11 +292,15 @@ add_bodies (Painter *painter, const PaintOrder *order, uint32_t layer)
 static void
 add_stock (Painter *painter)
 {
+  const uint32_t n_items = painter->scene->stock.n_items;
+  g_autofree unsigned char *depths = g_new (unsigned char, MAX (n_items, 1));
   PaintOrder order;
   uint32_t layer;
 
+  scene_stock_depths (painter->scene, painter->projection, depths);
+  painter->depths = depths;
   painter_find_hidden (painter);
-  paint_order_init (&order, painter, NULL, painter->scene->stock.n_items);
+  paint_order_init (&order, painter, NULL, n_items);
   for (layer = 0; layer < N_PAINT_LAYERS; layer++) {
     const SceneDepth depth = paint_layer_depth (layer);
 
@@ -287,6 +311,7 @@ add_stock (Painter *painter)
   }
   paint_order_clear (&order);
   painter->hidden = NULL;
+  painter->depths = NULL;
 }
 
 /* How much is seen of the square that the sites lie in: in space they are
@@ -327,8 +352,9 @@ begin_stock (Painter *painter)
   Drawing *drawing = painter->drawing;
 
   drawing_begin (drawing, painter->projection, painter->theme, NULL);
-  drawing->is_sketch
+  drawing->is_sketch = painter->is_sketch
       = painter->is_hasty && painter->scene->stock.n_items >= MANY_ITEMS;
+  drawing->scale = painter->scale;
   drawing->size = size_in_crowd (painter);
   if (drawing->sorts == NULL)
     drawing->sorts = memory_new (N_PAINTER_SORTS, sizeof *drawing->sorts);
@@ -418,13 +444,15 @@ void
 drawing_set_sketch (Drawing *drawing,
                     const Scene *scene,
                     const Projection *projection,
-                    const Theme *theme)
+                    const Theme *theme,
+                    double scale)
 {
   Painter painter = { .drawing = drawing,
                       .scene = scene,
                       .projection = projection,
                       .theme = theme,
-                      .is_hasty = true };
+                      .is_hasty = true,
+                      .scale = scale };
 
   set (&painter);
 }

@@ -333,8 +333,12 @@ gl_frame (Views *views)
 {
   const Projection projection = project (views, TRUE);
 
-  (gl.target.is_rough ? drawing_set_sketch : drawing_set) (
-      gl.drawing, &views->scenes[1], &projection, theme_get (THEME_LIGHT));
+  if (gl.target.is_rough)
+    drawing_set_sketch (gl.drawing, &views->scenes[1], &projection,
+                        theme_get (THEME_LIGHT), gl.target.scale);
+  else
+    drawing_set (gl.drawing, &views->scenes[1], &projection,
+                 theme_get (THEME_LIGHT));
   gl_painter_paint (gl.painter, gl.drawing, &gl.target, NULL);
   glFinish ();
 }

@@ -2,7 +2,6 @@
 uniform vec2 size; /* of the picture, device pixels */
 
 in vec2 at;
-in float side; /* of a point */
 in vec4 colour;
 
 flat out vec4 v_colour;
@@ -11,7 +10,6 @@ void
 main ()
 {
   v_colour = colour;
-  gl_PointSize = side;
   gl_Position = vec4 (2.0 * at.x / size.x - 1.0, 1.0 - 2.0 * at.y / size.y,
                       0.0, 1.0);
 }
