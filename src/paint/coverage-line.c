@@ -56,75 +56,84 @@ add_slice (Coverage *coverage, Pixel at, Pixel side, double angle)
   coverage_polygon (coverage, corners, (uint32_t)n + 2);
 }
 
-/* The wedge on the outer side, where the line turns from @before to @after. */
+/* The wedge on the outer side, where the line turns from @before to @after. So
+ * flat a one is a triangle. */
+#define FLAT 0.15
+
 static void
 add_join (Coverage *coverage, Pixel at, Pixel before, Pixel after)
 {
   const double cross = before.x * after.y - before.y * after.x;
   const double dot = before.x * after.x + before.y * after.y;
-  const double angle = atan2 (fabs (cross), dot);
+  const double side = cross > 0 ? -1 : 1;
+  double angle;
 
-  if (angle < 1e-3)
+  if (fabs (cross) <= FLAT * dot) {
+    coverage_polygon (
+        coverage,
+        (Pixel[3]){ at, plus (at, before, side), plus (at, after, side) }, 3);
     return;
+  }
+  angle = atan2 (fabs (cross), dot);
   if (cross > 0)
     add_slice (coverage, at, (Pixel){ -before.x, -before.y }, angle);
   else
     add_slice (coverage, at, after, angle);
 }
 
-/* Whether all of a line lies above, below or right of what is painted: there
- * it leaves nothing in any sum. */
-static bool
-is_beside (const Coverage *coverage,
-           const Pixel *pixels,
-           uint32_t n,
-           double reach)
-{
-  const PixelClip *clip = &coverage->clip;
-  double left = pixels[0].x, top = pixels[0].y, bottom = top;
-  uint32_t i;
+/* On which sides of what is painted a place lies, with all that is within
+ * @reach of it. What lies wholly on one side of it leaves nothing in any sum.
+ */
+enum { SIDE_ABOVE = 1, SIDE_BELOW = 2, SIDE_LEFT = 4, SIDE_RIGHT = 8 };
 
-  for (i = 1; i < n; i++) {
-    left = pixels[i].x < left ? pixels[i].x : left;
-    top = pixels[i].y < top ? pixels[i].y : top;
-    bottom = pixels[i].y > bottom ? pixels[i].y : bottom;
-  }
-  return bottom + reach < clip->top || top - reach > clip->bottom
-         || left - reach > clip->right;
+static unsigned
+sides_of (const PixelClip *clip, Pixel at, double reach)
+{
+  return (at.y + reach < clip->top ? SIDE_ABOVE : 0U)
+         | (at.y - reach > clip->bottom ? SIDE_BELOW : 0U)
+         | (at.x + reach < clip->left ? SIDE_LEFT : 0U)
+         | (at.x - reach > clip->right ? SIDE_RIGHT : 0U);
 }
 
-/* One dash, or all of a solid line. */
+/* One dash, or all of a solid line. A long one lies beside the clip for the
+ * most part. */
 static void
 add_dash (Coverage *coverage,
           const Pixel *pixels,
           uint32_t n,
           const Widening *widening)
 {
-  const double half = widening->width / 2;
+  const double half = widening->width / 2, reach = half + 1;
+  const unsigned start = sides_of (&coverage->clip, pixels[0], reach);
   Pixel side, first = { 0, 0 }, last = { 0, 0 };
+  unsigned from = start, to = start;
   bool has_side = false;
   uint32_t i;
 
-  if (is_beside (coverage, pixels, n, half + 1))
-    return;
-  for (i = 0; i + 1 < n; i++) {
-    if (!side_of (pixels[i], pixels[i + 1], half, &side))
+  for (i = 0; i + 1 < n; i++, from = to) {
+    to = sides_of (&coverage->clip, pixels[i + 1], reach);
+    if ((from & to) || !side_of (pixels[i], pixels[i + 1], half, &side))
       continue;
     add_segment (coverage, pixels[i], pixels[i + 1], side);
-    if (has_side)
+    /* Where nothing is left out, the last side is that of the segment before.
+     */
+    if (has_side && !from)
       add_join (coverage, pixels[i], last, side);
-    else
+    else if (!has_side)
       first = side;
     last = side;
     has_side = true;
   }
   if (!has_side)
     return;
-  if (widening->is_closed)
+  if (widening->is_closed && !start)
     add_join (coverage, pixels[0], last, first);
-  else if (widening->has_round_ends) {
-    add_slice (coverage, pixels[0], first, TURN / 2);
-    add_slice (coverage, pixels[n - 1], (Pixel){ -last.x, -last.y }, TURN / 2);
+  else if (widening->has_round_ends && !widening->is_closed) {
+    if (!start)
+      add_slice (coverage, pixels[0], first, TURN / 2);
+    if (!to)
+      add_slice (coverage, pixels[n - 1], (Pixel){ -last.x, -last.y },
+                 TURN / 2);
   }
 }
 

@@ -78,122 +78,186 @@ make_room (Coverage *coverage)
   forget_rows (coverage, (int)old_rows, (int)coverage->left_room);
 }
 
-/* The box does not follow the clip: sums must begin at the same column
- * whatever is painted. */
 void
 coverage_begin (Coverage *coverage, const double box[4])
 {
+  const PixelClip *clip = &coverage->clip;
   PixelClip *to = &coverage->box;
 
-  to->left = between (floor (box[0]), 0, coverage->width);
-  to->top = between (floor (box[1]), 0, coverage->height);
-  to->right = between (ceil (box[2]), to->left, coverage->width);
-  to->bottom = between (ceil (box[3]), to->top, coverage->height);
+  to->left = between (floor (box[0]), clip->left, clip->right);
+  to->top = between (floor (box[1]), clip->top, clip->bottom);
+  to->right = between (ceil (box[2]), to->left, clip->right);
+  to->bottom = between (ceil (box[3]), to->top, clip->bottom);
   make_room (coverage);
 }
 
-/* Adds the areas right of a piece of an edge within one row: @area is its
- * height, with a sign; it runs from column @low to @high. */
-static void
-add_to_row (float *cells, float low, float high, float area)
+/* Places are whole numbers of parts of a pixel, and all sums are exact. */
+#define PART_BITS 8
+#define PARTS (1 << PART_BITS)
+
+/* How finely slopes are counted: of an edge, as columns per row; within a row,
+ * the other way round, where there is room for no more. */
+#define SLOPE_BITS 32
+#define ROW_SLOPE_BITS 23
+
+typedef struct Place {
+  int x, y;
+} Place;
+
+static int
+in_parts (double px)
 {
-  const int first = (int)low, whole = (int)high;
-  const int end = whole + ((float)whole < high);
-  const float slope = 1 / (high - low);
-  const float in = low - (float)first;
-  const float out = high - (float)end + 1;
-  const float start = 0.5F * slope * (1 - in) * (1 - in);
-  const float last = 0.5F * slope * out * out;
-  const float second = slope * (1.5F - in);
+  const double above_zero = 1 << 24;
+
+  return (int)(px * PARTS + (above_zero + 0.5)) - (int)above_zero;
+}
+
+static Place
+place_of (Pixel pixel)
+{
+  return (Place){ in_parts (pixel.x), in_parts (pixel.y) };
+}
+
+/* What the parts of an edge within one row need to know of it. */
+typedef struct Row {
+  int *cells;        /* of the box */
+  int *left, *right; /* the columns touched */
+  int width;         /* of the box */
+} Row;
+
+/* Adds to one column what lies right of a piece of an edge that is @height
+ * high, with a sign; @ends is the sum of how far its ends lie from the left
+ * side of the column. */
+static void
+add_to_cell (int *cells, int column, int height, int ends)
+{
+  const int area = height * ends;
+
+  cells[column] += height * 2 * PARTS - area;
+  cells[column + 1] += area;
+}
+
+/* Adds the areas right of a piece of an edge within one row, which runs from
+ * @low to @high, through several columns. How high it is where it comes to a
+ * column follows from that column alone. */
+static void
+add_through (const Row *row, int low, int high, int height)
+{
+  const int sign = height < 0 ? -1 : 1;
+  const uint64_t slope
+      = ((uint32_t)(sign * height) << ROW_SLOPE_BITS) / (uint32_t)(high - low);
+  const int last = (high - 1) >> PART_BITS;
+  const int end = last < row->width ? last + 1 : row->width;
+  int column = low >> PART_BITS;
+  int from = low, at = 0;
+
+  if (column < 0) {
+    column = from = 0;
+    at = (int)(slope * (uint32_t)-low >> ROW_SLOPE_BITS);
+    row->cells[0] += sign * at * 2 * PARTS;
+  }
+  for (; column < end; column++) {
+    const int start = column * PARTS;
+    const int to = column < last ? start + PARTS : high;
+    const int next = column < last
+                         ? (int)(slope * (uint32_t)(to - low) >> ROW_SLOPE_BITS)
+                         : sign * height;
+
+    add_to_cell (row->cells, column, sign * (next - at), from + to - 2 * start);
+    from = to;
+    at = next;
+  }
+}
+
+static void
+add_to_row (const Row *row, int low, int high, int height)
+{
+  const int first = low >> PART_BITS, last = (high - 1) >> PART_BITS;
+  const int end = high > low ? last : first;
+
+  if (first >= row->width)
+    return;
+  if (end < 0)
+    row->cells[0] += height * 2 * PARTS;
+  else if (first == end)
+    add_to_cell (row->cells, first, height, low + high - 2 * first * PARTS);
+  else
+    add_through (row, low, high, height);
+  *row->left = least (*row->left, most (first, 0));
+  *row->right = most (*row->right, most (least (end, row->width - 1), 0) + 1);
+}
+
+/* From @a down to @b, @sign tells which way the shape runs. What comes of a
+ * part of an edge does not depend on what else of it lies in the box. */
+static void
+add_edge (Coverage *coverage, Place a, Place b, int sign)
+{
+  const PixelClip *box = &coverage->box;
+  const int64_t slope
+      = (int64_t)(b.x - a.x) * ((int64_t)1 << SLOPE_BITS) / (b.y - a.y);
+  const int first = most (a.y >> PART_BITS, box->top);
+  const int end = least ((b.y + PARTS - 1) >> PART_BITS, box->bottom);
+  const int left = a.x - box->left * PARTS;
+  int top = most (first * PARTS, a.y);
+  int from = left + (int)((top - a.y) * slope >> SLOPE_BITS);
   int i;
 
-  if (end <= first + 1) {
-    const float middle = 0.5F * (low + high) - (float)first;
+  for (i = first; i < end; i++) {
+    const int number = i - box->top;
+    const int bottom = least ((i + 1) * PARTS, b.y);
+    const int to = left + (int)((bottom - a.y) * slope >> SLOPE_BITS);
+    const Row row = { &coverage->cells[number * (box->right - box->left + 2)],
+                      &coverage->left[number], &coverage->right[number],
+                      box->right - box->left };
 
-    cells[first] += area - area * middle;
-    cells[first + 1] += area * middle;
-    return;
+    add_to_row (&row, least (from, to), most (from, to), sign * (bottom - top));
+    top = bottom;
+    from = to;
   }
-  cells[first] += area * start;
-  if (end == first + 2) {
-    cells[first + 1] += area * (1 - start - last);
-  } else {
-    cells[first + 1] += area * (second - start);
-    for (i = first + 2; i < end - 1; i++)
-      cells[i] += area * slope;
-    cells[end - 1]
-        += area * (1 - second - (float)(end - first - 3) * slope - last);
-  }
-  cells[end] += area * last;
 }
 
-static float
-clamp (float value, float high)
-{
-  const float low = value > 0 ? value : 0;
-
-  return low < high ? low : high;
-}
-
-/* From @a down to @b, in the box; @sign tells which way the shape runs. */
 static void
-add_edge (Coverage *coverage, const float a[2], const float b[2], float sign)
+add_placed_edge (Coverage *coverage, Place from, Place to)
 {
-  const PixelClip *box = &coverage->box, *clip = &coverage->clip;
-  const float slope = (b[0] - a[0]) / (b[1] - a[1]);
-  const int width = box->right - box->left;
-  const int end_of_edge = (int)b[1] + ((float)(int)b[1] < b[1]);
-  const int end
-      = least (end_of_edge, least (box->bottom, clip->bottom) - box->top);
-  int row = most (a[1] > 0 ? (int)a[1] : 0, clip->top - box->top);
+  const PixelClip *box = &coverage->box;
+  const int right = box->right * PARTS;
 
-  for (; row < end; row++) {
-    const float top = (float)row > a[1] ? (float)row : a[1];
-    const float bottom = (float)(row + 1) < b[1] ? (float)(row + 1) : b[1];
-    const float from = clamp (a[0] + (top - a[1]) * slope, (float)width);
-    const float to = clamp (a[0] + (bottom - a[1]) * slope, (float)width);
-    const float low = from < to ? from : to, high = from < to ? to : from;
-
-    add_to_row (&coverage->cells[row * (width + 2)], low, high,
-                sign * (bottom - top));
-    coverage->left[row] = least (coverage->left[row], (int)low);
-    coverage->right[row] = most (coverage->right[row], (int)high + 1);
-  }
+  if (from.y == to.y || (from.x >= right && to.x >= right))
+    return;
+  if (from.y < to.y) {
+    if (to.y > box->top * PARTS && from.y < box->bottom * PARTS)
+      add_edge (coverage, from, to, 1);
+  } else if (from.y > box->top * PARTS && to.y < box->bottom * PARTS)
+    add_edge (coverage, to, from, -1);
 }
 
 void
 coverage_edge (Coverage *coverage, Pixel from, Pixel to)
 {
-  const PixelClip *box = &coverage->box;
-  const float height = (float)(box->bottom - box->top);
-  const float a[2]
-      = { (float)(from.x - box->left), (float)(from.y - box->top) };
-  const float b[2] = { (float)(to.x - box->left), (float)(to.y - box->top) };
-
-  if (a[1] < b[1]) {
-    if (b[1] > 0 && a[1] < height)
-      add_edge (coverage, a, b, 1);
-  } else if (b[1] < a[1]) {
-    if (a[1] > 0 && b[1] < height)
-      add_edge (coverage, b, a, -1);
-  }
+  add_placed_edge (coverage, place_of (from), place_of (to));
 }
 
 void
 coverage_polygon (Coverage *coverage, const Pixel *corners, uint32_t n)
 {
+  Place last = place_of (corners[n - 1]);
   uint32_t i;
 
-  for (i = 0; i < n; i++)
-    coverage_edge (coverage, corners[i], corners[i + 1 < n ? i + 1 : 0]);
+  for (i = 0; i < n; i++) {
+    const Place here = place_of (corners[i]);
+
+    add_placed_edge (coverage, last, here);
+    last = here;
+  }
 }
 
 /* Paints one part of a row, evenly covered. */
 static void
-fill_run (uint32_t *pixels, int n, uint32_t colour, float sum)
+fill_run (uint32_t *pixels, int n, uint32_t colour, int sum)
 {
-  const float part = sum < 0 ? -sum : sum;
-  const uint32_t k = part > 0.998F ? 256 : (uint32_t)(part * 256);
+  const uint32_t part
+      = (uint32_t)((sum < 0 ? -sum : sum) + PARTS) >> (PART_BITS + 1);
+  const uint32_t k = part < 256 ? part : 256;
   int i;
 
   if (k == 0)
@@ -207,7 +271,7 @@ fill_run (uint32_t *pixels, int n, uint32_t colour, float sum)
 
 /* Returns: the first column from @from on, or @end, whose cell is not 0. */
 static int
-end_of_run (const float *cells, int from, int end)
+end_of_run (const int *cells, int from, int end)
 {
   uint64_t two;
 
@@ -221,29 +285,28 @@ end_of_run (const float *cells, int from, int end)
   return from;
 }
 
-/* Sums up a row, paints what of it lies in the clip, and forgets it. */
+/* Sums up a row, paints it, and forgets it. */
 static void
 fill_row (Coverage *coverage, int row, uint32_t *pixels, uint32_t colour)
 {
-  const PixelClip *box = &coverage->box, *clip = &coverage->clip;
-  const int width = box->right - box->left;
-  float *cells = &coverage->cells[row * (width + 2)];
-  const int end = least (coverage->right[row], width + 1) + 1;
-  const int left = clip->left - box->left;
-  const int right = least (clip->right - box->left, width);
-  float sum = 0;
+  const int width = coverage->box.right - coverage->box.left;
+  int *cells = &coverage->cells[row * (width + 2)];
+  const int end = coverage->right[row] + 1;
+  int sum = 0;
   int i = coverage->left[row];
 
   while (i < end) {
     const int next = end_of_run (cells, i + 1, end);
-    const int first = most (i, left);
 
     sum += cells[i];
     cells[i] = 0;
-    if (first < least (next, right))
-      fill_run (pixels + first, least (next, right) - first, colour, sum);
+    if (i < width && sum != 0)
+      fill_run (pixels + i, least (next, width) - i, colour, sum);
     i = next;
   }
+  /* What ends right of the box has left nothing at its end. */
+  if (i < width && sum != 0)
+    fill_run (pixels + i, width - i, colour, sum);
 }
 
 void
@@ -252,16 +315,14 @@ coverage_fill (Coverage *coverage,
                int stride,
                uint32_t colour)
 {
-  const PixelClip *box = &coverage->box, *clip = &coverage->clip;
-  const int first = most (clip->top - box->top, 0);
-  const int end = least (box->bottom, clip->bottom) - box->top;
+  const PixelClip *box = &coverage->box;
+  const int n_rows = box->bottom - box->top;
   int row;
 
-  for (row = first; row < end; row++)
+  for (row = 0; row < n_rows; row++)
     if (coverage->left[row] <= coverage->right[row])
       fill_row (coverage, row,
                 pixels + (ptrdiff_t)(row + box->top) * stride + box->left,
                 colour);
-  if (first < end)
-    forget_rows (coverage, first, end);
+  forget_rows (coverage, 0, n_rows);
 }

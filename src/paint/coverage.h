@@ -1,9 +1,10 @@
-/* Coverage: how much of each pixel a shape covers, exactly, as the areas that
- * its edges cut off. Shapes that turn the same way add up to their union.
+/* Coverage: how much of each pixel a shape covers, as the areas that its edges
+ * cut off. Shapes that turn the same way add up to their union. All is counted
+ * in whole numbers, where sums are the same in any order: a part of a picture
+ * painted alone has the same pixels as in the whole, and what lies beside it
+ * need not be added up.
  *
- * Source: Raph Levien's font-rs (2016), accumulation of signed areas. Every
- *         row is summed for itself, so that a part of a picture painted alone
- *         has the same pixels as in the whole.
+ * Source: Raph Levien's font-rs (2016), accumulation of signed areas.
  */
 #ifndef COVERAGE_H
 #define COVERAGE_H
@@ -18,8 +19,8 @@ typedef struct PixelClip {
 typedef struct Coverage {
   int width, height; /* of the picture */
   PixelClip clip;    /* nothing is painted outside it */
-  PixelClip box;     /* of the shape in hand */
-  float *cells;      /* of the box: its width + 2 for each row; all 0 between
+  PixelClip box;     /* of the shape in hand, in the clip */
+  int *cells;        /* of the box: its width + 2 for each row; all 0 between
                         two shapes */
   int *left, *right; /* per row of the box: the columns touched; left > right:
                         none */
