@@ -46,6 +46,64 @@ widening_of (const Hand *hand, const Style *style, double width)
                      .has_round_ends = brush_has_round_ends (style) };
 }
 
+/* Paths */
+
+/* Nobody sees that a path runs by less than this beside its pixels, device
+ * pixels. */
+#define UNSEEN 0.05
+
+/* So many pixels of a path may be left out between two. */
+#define MOST_LEFT_OUT 8
+
+/* Whether a pixel lies between two others, as good as on their line. */
+static bool
+is_between (Pixel pixel, Pixel from, Pixel to)
+{
+  const Pixel along = { to.x - from.x, to.y - from.y };
+  const Pixel way = { pixel.x - from.x, pixel.y - from.y };
+  const double squared = along.x * along.x + along.y * along.y;
+  const double dot = along.x * way.x + along.y * way.y;
+  const double cross = along.x * way.y - along.y * way.x;
+
+  return dot >= 0 && dot <= squared
+         && cross * cross <= UNSEEN * UNSEEN * squared;
+}
+
+static bool
+are_between (const Pixel *pixels, uint32_t n, Pixel from, Pixel to)
+{
+  uint32_t i;
+
+  for (i = 0; i < n; i++)
+    if (!is_between (pixels[i], from, to))
+      return false;
+  return true;
+}
+
+/* Circles have as many pixels as they need when they are large. Leaves out
+ * what small ones do not need.
+ *
+ * Returns: the number of pixels that are left. */
+static uint32_t
+simplify (Pixel *pixels, uint32_t n)
+{
+  uint32_t i, first = 1, kept = 0;
+
+  if (n < 3)
+    return n;
+  for (i = 1; i + 1 < n; i++) {
+    const uint32_t n_out = i + 1 - first;
+
+    if (n_out <= MOST_LEFT_OUT
+        && are_between (&pixels[first], n_out, pixels[kept], pixels[i + 1]))
+      continue;
+    pixels[++kept] = pixels[i];
+    first = i + 1;
+  }
+  pixels[++kept] = pixels[n - 1];
+  return kept + 1;
+}
+
 static void
 paint_line (Hand *hand,
             const Style *style,
@@ -315,12 +373,13 @@ hand_paint_stroke (Hand *hand, const Drawing *drawing, const Stroke *stroke)
     const Widening widening
         = { .width = style.casing * hand->scale, .has_round_ends = true };
 
-    coverage_line (&hand->coverage, pixels, stroke->n, &widening);
+    coverage_line (&hand->coverage, pixels, simplify (pixels, stroke->n),
+                   &widening);
     fill (hand, hand->theme->background);
     break;
   }
   case STROKE_LINE:
-    paint_line (hand, &style, pixels, stroke->n, false);
+    paint_line (hand, &style, pixels, simplify (pixels, stroke->n), false);
     break;
   case STROKE_RING:
     paint_ring (hand, &style, pixels, stroke->n);
