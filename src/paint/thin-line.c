@@ -3,6 +3,14 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Places across are counted in such parts of a pixel. */
+#define PART_BITS 12
+#define PARTS (1 << PART_BITS)
+
+/* … and for the way from column to column in smaller ones, so that it does not
+ * matter with which column a clip begins. */
+#define STEP_BITS 32
+
 /* A line whose columns are painted; of a steep one they are rows. */
 typedef struct ThinLine {
   const PixelGrid *grid;
@@ -11,6 +19,8 @@ typedef struct ThinLine {
   float start, stop;         /* along, start < stop */
   float at_start, slope;     /* across */
   float half;                /* width, across */
+  int width;                 /* all of it, in parts */
+  int64_t middle, step;      /* across, in the middle of column 0; per column */
   float dash, period, pace;  /* length of the line per column */
   float phase;               /* of the dashes at start; they may run back */
   uint32_t colour;
@@ -45,28 +55,55 @@ dash_part (const ThinLine *line, float from, float to)
   return high > low ? sum / (high - low) : 0;
 }
 
+/* Paints a column from @low on, in parts; @part of 256 of it is line. */
 static void
-paint_column (const ThinLine *line, int column, float part)
+paint_column (const ThinLine *line, int column, int low, int part)
+{
+  const int high = low + line->width;
+  const int first = low >> PART_BITS;
+  const int last = (high + PARTS - 1) >> PART_BITS;
+  const int end = last < line->high ? last : line->high;
+  int row = first > line->low ? first : line->low;
+  uint32_t *pixel = line->grid->pixels + (ptrdiff_t)column * line->along
+                    + (ptrdiff_t)row * line->across;
+
+  for (; row < end; row++, pixel += line->across) {
+    const int above = row * PARTS, below = above + PARTS;
+    const int top = above > low ? above : low;
+    const int bottom = below < high ? below : high;
+    const int k = ((bottom - top) * part + PARTS / 2) >> PART_BITS;
+
+    *pixel = pixel_over (*pixel, pixel_scale (line->colour, (uint32_t)k));
+  }
+}
+
+/* Paints a column that is dashed, or in which the line begins or ends. */
+static void
+paint_piece (const ThinLine *line, int column)
 {
   const float from = (float)column > line->start ? (float)column : line->start;
   const float to
       = (float)(column + 1) < line->stop ? (float)(column + 1) : line->stop;
   const float middle
       = line->at_start + ((from + to) / 2 - line->start) * line->slope;
-  const float low = middle - line->half, high = middle + line->half;
-  const int first = floor_of (low);
-  uint32_t *pixel = line->grid->pixels + (ptrdiff_t)column * line->along
-                    + (ptrdiff_t)first * line->across;
-  int row;
+  const float part = line->period > 0 ? dash_part (line, from, to) : 1;
 
-  for (row = first; (float)row < high; row++, pixel += line->across) {
-    const float top = (float)row > low ? (float)row : low;
-    const float bottom = (float)(row + 1) < high ? (float)(row + 1) : high;
-    const int k = (int)(part * (to - from) * (bottom - top) * 256 + 0.5F);
+  if (part > 0)
+    paint_column (line, column, floor_of ((middle - line->half) * PARTS),
+                  (int)(part * (to - from) * 256 + 0.5F));
+}
 
-    if (k > 0 && row >= line->low && row < line->high)
-      *pixel = pixel_over (*pixel, pixel_scale (line->colour, (uint32_t)k));
-  }
+/* Paints columns that are all line. */
+static void
+paint_whole (const ThinLine *line, int from, int end)
+{
+  const int half = line->width / 2;
+  int64_t middle = line->middle + from * line->step;
+  int i;
+
+  for (i = from; i < end; i++, middle += line->step)
+    paint_column (line, i, (int)(middle >> (STEP_BITS - PART_BITS)) - half,
+                  256);
 }
 
 /* Leaves out columns in which the line lies beside the clip, but for some of
@@ -92,21 +129,28 @@ narrow (const ThinLine *line, int *first, int *end)
 static void
 paint (const ThinLine *line)
 {
-  const int from = floor_of (line->start);
+  const int from = floor_of (line->start), to = floor_of (line->stop);
   int column = from > line->first ? from : line->first;
-  int end = line->end;
-  int i;
+  int end = (float)to < line->stop ? to + 1 : to;
+  int whole, whole_end, i;
 
+  end = end < line->end ? end : line->end;
   narrow (line, &column, &end);
-  for (i = column; i < end && (float)i < line->stop; i++) {
-    const float low = (float)i > line->start ? (float)i : line->start;
-    const float high
-        = (float)(i + 1) < line->stop ? (float)(i + 1) : line->stop;
-    const float part = line->period > 0 ? dash_part (line, low, high) : 1;
+  whole = (float)column < line->start || line->period > 0 ? column + 1 : column;
+  whole_end = end < to ? end : to;
+  if (line->period > 0 || whole > whole_end)
+    whole = whole_end = end;
+  for (i = column; i < whole && i < end; i++)
+    paint_piece (line, i);
+  paint_whole (line, whole, whole_end);
+  for (i = whole_end; i < end; i++)
+    paint_piece (line, i);
+}
 
-    if (part > 0)
-      paint_column (line, i, part);
-  }
+static int64_t
+in_steps (double px)
+{
+  return (int64_t)(px * ((int64_t)1 << STEP_BITS));
 }
 
 void
@@ -137,6 +181,10 @@ thin_line (const PixelGrid *grid,
   line.at_start = (float)(is_steep ? a->x : a->y);
   line.slope = (float)(rise / run);
   line.half = (float)(widening->width / 2 * length / fabs (run));
+  line.width = (int)(widening->width * length / fabs (run) * PARTS + 0.5);
+  line.step = in_steps (rise / run);
+  line.middle = in_steps ((is_steep ? a->x : a->y)
+                          + (0.5 - (is_steep ? a->y : a->x)) * (rise / run));
   line.dash = (float)widening->dash;
   if (widening->dash > 0)
     line.period = (float)(widening->dash + widening->gap);
