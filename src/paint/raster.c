@@ -10,7 +10,8 @@
 /* Two hands paint bands of the picture at the same time. */
 #define N_HANDS 2
 #define N_BANDS 6
-#define MANY_PIXELS 60000 /* less is painted by one hand */
+#define MANY_PIXELS 60000 /* from so many on, … */
+#define MANY_STROKES 600 /* … or with so many strokes there is work for two */
 
 /* So few strokes are not chosen before they are painted square by square. */
 #define FEW_STROKES 4000
@@ -235,6 +236,25 @@ strokes_in (const Drawing *drawing, const Squares *squares, uint32_t *n)
   return strokes;
 }
 
+/* Cuts clips in two, so that both hands have as much to do.
+ *
+ * Returns: the clips, 2 · n of them. */
+static PixelClip *
+halve_clips (PixelClip *clips, int n)
+{
+  PixelClip *halves = g_new (PixelClip, 2 * MAX (n, 1));
+  int i;
+
+  for (i = 0; i < n; i++) {
+    const int middle = (clips[i].top + clips[i].bottom) / 2;
+
+    halves[2 * i] = halves[2 * i + 1] = clips[i];
+    halves[2 * i].bottom = halves[2 * i + 1].top = middle;
+  }
+  g_free (clips);
+  return halves;
+}
+
 static PixelClip
 clip_of (const Raster *raster, const cairo_region_t *region, int i)
 {
@@ -253,20 +273,27 @@ paint_squares (Raster *raster, const Drawing *drawing, const Squares *squares)
 {
   cairo_region_t *region = squares_region (squares);
   const int n = cairo_region_num_rectangles (region);
-  g_autofree PixelClip *clips = g_new (PixelClip, MAX (n, 1));
+  PixelClip *clips = g_new (PixelClip, MAX (n, 1));
   uint32_t n_strokes;
   uint32_t *strokes = strokes_in (drawing, squares, &n_strokes);
   Work work = { drawing, strokes, n_strokes, clips, n, 0 };
   int i, n_pixels = 0;
+  bool is_large;
 
   for (i = 0; i < n; i++) {
     clips[i] = clip_of (raster, region, i);
     n_pixels
         += (clips[i].right - clips[i].left) * (clips[i].bottom - clips[i].top);
   }
-  paint_clips (raster, &work, n_pixels > MANY_PIXELS);
+  is_large = n_pixels > MANY_PIXELS || n_strokes > MANY_STROKES;
+  if (is_large) {
+    work.clips = clips = halve_clips (clips, n);
+    work.n_clips = 2 * n;
+  }
+  paint_clips (raster, &work, is_large);
   cairo_region_destroy (region);
   free (strokes);
+  g_free (clips);
 }
 
 void
