@@ -117,6 +117,19 @@ take_frame (SceneBuilder *builder, const Frame *frame, const SceneLook *look)
     scene_builder_round (builder, frame->place.phase);
 }
 
+/* Each site is the corner of a dozen items. */
+static Point3 *
+lift_sites (const SceneBuilder *builder)
+{
+  const uint32_t n = builder->frame->n_sites;
+  Point3 *lifts = memory_room (n, sizeof *lifts);
+  uint32_t i;
+
+  for (i = 0; i < n; i++)
+    lifts[i] = scene_at (builder, i, true);
+  return lifts;
+}
+
 void
 scene_builder_init (SceneBuilder *builder,
                     Scene *scene,
@@ -128,6 +141,7 @@ scene_builder_init (SceneBuilder *builder,
   take_frame (builder, frame, look);
   builder->ridge_of = find_ridges (frame);
   builder->roles = scene_roles_new (builder->frame);
+  builder->lifts = lift_sites (builder);
 }
 
 void
@@ -150,6 +164,8 @@ scene_builder_clear (SceneBuilder *builder)
 {
   free (builder->ridge_of);
   free (builder->roles);
+  free (builder->lifts);
+  free (builder->triangles);
   frame_mask_clear (&builder->mask);
 }
 
@@ -186,9 +202,22 @@ fade_of (const SceneBuilder *builder, Role role)
   return 1 - stays;
 }
 
+static const RoleLook *
+look_of_role (SceneBuilder *builder, Role role)
+{
+  RoleLook *look = &builder->role_looks[role];
+
+  if (look->pass != (uint32_t)builder->pass + 1)
+    *look
+        = (RoleLook){ (uint32_t)builder->pass + 1,
+                      scene_emphasis (builder, role), fade_of (builder, role) };
+  return look;
+}
+
 SceneItem *
 scene_add (SceneBuilder *builder, SceneShape shape, Role role, Object object)
 {
+  const RoleLook *look = look_of_role (builder, role);
   Scene *scene = builder->scene;
   SceneItem *item;
 
@@ -198,15 +227,30 @@ scene_add (SceneBuilder *builder, SceneShape shape, Role role, Object object)
   item = &scene->items[scene->n_items++];
   *item = (SceneItem){ .shape = shape,
                        .role = role,
-                       .emphasis = scene_emphasis (builder, role),
+                       .emphasis = look->emphasis,
                        .lit = builder->has_stock ? scene_lit (builder, object)
                                                  : LIT_NONE,
                        .pass = builder->pass,
                        .object = object,
-                       .fade = fade_of (builder, role),
+                       .fade = look->fade,
                        .first = scene->n_points,
                        .beside = { INDEX_NONE, INDEX_NONE } };
   return item;
+}
+
+void
+scene_add_points (SceneBuilder *builder, const Point3 *points, uint32_t n)
+{
+  Scene *scene = builder->scene;
+  uint32_t i;
+
+  if (scene->points_room - scene->n_points < n)
+    scene->points = memory_grow (scene->points, &scene->points_room,
+                                 scene->n_points + n, sizeof *scene->points);
+  for (i = 0; i < n; i++)
+    scene->points[scene->n_points + i] = points[i];
+  scene->n_points += n;
+  scene->items[scene->n_items - 1].n += n;
 }
 
 void
@@ -237,8 +281,7 @@ scene_add_segment (SceneBuilder *builder,
                    const Point3 ends[2])
 {
   scene_add (builder, SHAPE_PATH, role, object);
-  scene_add_point (builder, ends[0]);
-  scene_add_point (builder, ends[1]);
+  scene_add_points (builder, ends, 2);
 }
 
 void
@@ -357,6 +400,11 @@ scene_facet_sites (const SceneBuilder *builder, uint32_t facet)
 Point3
 scene_at (const SceneBuilder *builder, uint32_t site, bool lifted)
 {
+  if (builder->lifts != NULL) {
+    const Point3 lift = builder->lifts[site];
+
+    return (Point3){ lift.x, lift.y, lifted ? lift.z : 0 };
+  }
   return scene_point (builder->look, &builder->frame->trace->set->sites[site],
                       lifted);
 }

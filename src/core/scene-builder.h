@@ -6,21 +6,31 @@
 #include "preview.h"
 #include "scene.h"
 
+/* What all items of a role have in common. */
+typedef struct RoleLook {
+  uint32_t pass; /* that it is true of, + 1; 0: not known */
+  Emphasis emphasis;
+  double fade;
+} RoleLook;
+
 typedef struct SceneBuilder {
   Scene *scene;
   const Frame *frame;
   const SceneLook *look;
   FrameMask mask;   /* its frame is the frame, when the look masks the round */
   SceneLook masked; /* is the look, when it masks anything */
-  const Event *event; /* that led to the step, or NULL at the start */
-  Event said;         /* what it points to */
-  bool is_round;      /* a round is in hand */
-  uint32_t parts;     /* of the active set that are loud, Part bits */
-  uint32_t *ridge_of; /* per Delaunay edge: its row of Trace.ridges; flat
-                         input: its own number; for the stock alone */
-  uint32_t *roles;    /* per facet of the trace: see scene_roles(); or NULL */
-  ScenePass pass;     /* of the items that are added next */
-  bool has_stock;     /* they are there because of what a person points at */
+  const Event *event;  /* that led to the step, or NULL at the start */
+  Event said;          /* what it points to */
+  bool is_round;       /* a round is in hand */
+  uint32_t parts;      /* of the active set that are loud, Part bits */
+  uint32_t *ridge_of;  /* per Delaunay edge: its row of Trace.ridges; flat
+                          input: its own number; for the stock alone */
+  uint32_t *roles;     /* per facet of the trace: see scene_roles(); or NULL */
+  Point3 *lifts;       /* per site: its scene point, lifted; or NULL */
+  uint32_t *triangles; /* scene_order_triangles(), once it has been asked */
+  RoleLook role_looks[N_ROLES]; /* as they are asked for */
+  ScenePass pass;               /* of the items that are added next */
+  bool has_stock; /* they are there because of what a person points at */
 } SceneBuilder;
 
 void scene_builder_init (SceneBuilder *builder,
@@ -60,6 +70,7 @@ void scene_builder_round (SceneBuilder *builder, Phase phase);
 SceneItem *
 scene_add (SceneBuilder *builder, SceneShape shape, Role role, Object object);
 void scene_add_point (SceneBuilder *builder, Point3 point);
+void scene_add_points (SceneBuilder *builder, const Point3 *points, uint32_t n);
 
 /* Takes back the item that was added last. */
 void scene_drop_item (SceneBuilder *builder);
@@ -128,7 +139,9 @@ uint32_t *scene_order (const SceneBuilder *builder,
                        uint32_t n,
                        int n_corners,
                        SceneCorners get_corners);
-uint32_t *scene_order_triangles (const SceneBuilder *builder);
+
+/* Returns: the numbers of the triangles by their sites, borrowed. */
+const uint32_t *scene_order_triangles (SceneBuilder *builder);
 
 /* The frame of the plane view: the rectangle that it shows. */
 void scene_add_frame (SceneBuilder *builder);

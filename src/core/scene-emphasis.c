@@ -1,6 +1,8 @@
 /* What of a scene is loud: the active set of a step. */
 #include "scene-builder.h"
 
+#include <string.h>
+
 /* The parts of the active set of a step. */
 typedef enum Part {
   PART_NONE = 0,
@@ -104,6 +106,7 @@ scene_builder_round (SceneBuilder *builder, Phase phase)
 {
   builder->is_round = true;
   builder->parts = loud_parts (phase, builder->look->focus);
+  memset (builder->role_looks, 0, sizeof builder->role_looks);
 }
 
 Emphasis

@@ -81,10 +81,10 @@ scene_order (const SceneBuilder *builder,
   uint32_t i;
   int k;
 
-  sorter.rows = memory_new (n, sizeof *sorter.rows);
-  sorter.order = memory_new (n, sizeof *sorter.order);
-  sorter.other = memory_new (n, sizeof *sorter.other);
-  sorter.starts = memory_new (sorter.n_sites, sizeof *sorter.starts);
+  sorter.rows = memory_room (n, sizeof *sorter.rows);
+  sorter.order = memory_room (n, sizeof *sorter.order);
+  sorter.other = memory_room (n, sizeof *sorter.other);
+  sorter.starts = memory_room (sorter.n_sites, sizeof *sorter.starts);
   for (i = 0; i < n; i++) {
     sorter.rows[i] = corners_of (get_corners (builder, i), n_corners);
     sorter.order[i] = i;
@@ -103,9 +103,12 @@ triangle_corners (const SceneBuilder *builder, uint32_t triangle)
   return builder->frame->delaunay.triangles[triangle].site;
 }
 
-uint32_t *
-scene_order_triangles (const SceneBuilder *builder)
+const uint32_t *
+scene_order_triangles (SceneBuilder *builder)
 {
-  return scene_order (builder, builder->frame->delaunay.n_triangles, 3,
-                      triangle_corners);
+  const uint32_t n = builder->frame->delaunay.n_triangles;
+
+  if (builder->triangles == NULL)
+    builder->triangles = scene_order (builder, n, 3, triangle_corners);
+  return builder->triangles;
 }

@@ -102,8 +102,7 @@ scene_add_polygon (SceneBuilder *builder,
   if (is_growing (builder, facet))
     hold_apex (builder, site, at);
   scene_add (builder, SHAPE_POLYGON, role, (Object){ OBJECT_FACET, facet });
-  for (k = 0; k < 3; k++)
-    scene_add_point (builder, at[k]);
+  scene_add_points (builder, at, 3);
   return &builder->scene->items[builder->scene->n_items - 1];
 }
 
@@ -160,7 +159,7 @@ scene_add_triangles (SceneBuilder *builder)
 {
   const Delaunay *delaunay = &builder->frame->delaunay;
   const bool has_layer = scene_has_layer (builder, LAYER_DELAUNAY);
-  uint32_t *order;
+  const uint32_t *order;
   uint32_t i;
 
   if (builder->look->mask & MASK_FACING)
@@ -175,7 +174,6 @@ scene_add_triangles (SceneBuilder *builder)
     if (has_layer || role != ROLE_TRIANGLE)
       scene_add_polygon (builder, role, facet, false);
   }
-  free (order);
 }
 
 static bool

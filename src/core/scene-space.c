@@ -1,3 +1,4 @@
+#include "clip.h"
 #include "memory.h"
 #include "scene-builder.h"
 
@@ -84,33 +85,53 @@ add_plane (SceneBuilder *builder)
 static double
 rim_radius (const SceneBuilder *builder)
 {
-  double radius = 0;
+  double squared = 0;
   uint32_t i;
 
   for (i = 0; i < builder->frame->n_sites; i++) {
     const Point3 at = scene_at (builder, i, false);
+    const double distance = at.x * at.x + at.y * at.y;
 
-    radius = fmax (radius, hypot (at.x, at.y));
+    squared = distance > squared ? distance : squared;
   }
-  return fmax (RIM_LEAST, RIM_MARGIN * radius);
+  return fmax (RIM_LEAST, RIM_MARGIN * sqrt (squared));
+}
+
+static Pixel
+direction_at (double angle)
+{
+  return (Pixel){ cos (angle), sin (angle) };
 }
 
 static void
-add_sheet_point (SceneBuilder *builder, double radius, double angle)
+add_sheet_point (SceneBuilder *builder, double radius, Pixel direction)
 {
   scene_add_point (builder,
-                   (Point3){ radius * cos (angle), radius * sin (angle),
+                   (Point3){ radius * direction.x, radius * direction.y,
                              builder->look->raise + radius * radius });
 }
 
 static void
-add_ring (SceneBuilder *builder, Role role, double radius)
+add_ring (SceneBuilder *builder,
+          Role role,
+          double radius,
+          const Pixel directions[N_ROUND])
 {
   int i;
 
   scene_add (builder, SHAPE_PATH, role, no_object);
   for (i = 0; i <= N_ROUND; i++)
-    add_sheet_point (builder, radius, TURN * (i % N_ROUND) / N_ROUND);
+    add_sheet_point (builder, radius, directions[i % N_ROUND]);
+}
+
+static void
+add_meridian (SceneBuilder *builder, double rim, Pixel direction)
+{
+  int i;
+
+  scene_add (builder, SHAPE_PATH, ROLE_SHEET, no_object);
+  for (i = 0; i <= N_UP; i++)
+    add_sheet_point (builder, rim * i / N_UP, direction);
 }
 
 /* Rings at equal heights. */
@@ -118,17 +139,18 @@ static void
 add_sheet (SceneBuilder *builder)
 {
   const double rim = rim_radius (builder);
-  int i, k;
+  Pixel directions[N_ROUND];
+  int i;
 
+  for (i = 0; i < N_ROUND; i++)
+    directions[i] = direction_at (TURN * i / N_ROUND);
   builder->pass = PASS_SHEET_FAR;
   for (i = 1; i < N_RINGS; i++)
-    add_ring (builder, ROLE_SHEET, rim * sqrt ((double)i / N_RINGS));
-  for (i = 0; i < N_MERIDIANS; i++) {
-    scene_add (builder, SHAPE_PATH, ROLE_SHEET, no_object);
-    for (k = 0; k <= N_UP; k++)
-      add_sheet_point (builder, rim * k / N_UP, TURN * i / N_MERIDIANS);
-  }
-  add_ring (builder, ROLE_RIM, rim);
+    add_ring (builder, ROLE_SHEET, rim * sqrt ((double)i / N_RINGS),
+              directions);
+  for (i = 0; i < N_MERIDIANS; i++)
+    add_meridian (builder, rim, direction_at (TURN * i / N_MERIDIANS));
+  add_ring (builder, ROLE_RIM, rim, directions);
 }
 
 static const uint32_t *
@@ -139,13 +161,13 @@ facet_corners (const SceneBuilder *builder, uint32_t position)
   return frame->trace->facets[frame->facets[position].facet].site;
 }
 
-/* Returns: for each facet of the frame the item of its polygon; free with
- *          free(). */
+/* Returns: for each facet of the frame, by its number in the trace, the item
+ *          of its polygon; free with free(). */
 static uint32_t *
 add_facets (SceneBuilder *builder)
 {
   const Frame *frame = builder->frame;
-  uint32_t *item_of = memory_new (frame->n_facets, sizeof *item_of);
+  uint32_t *item_of = memory_room (frame->trace->n_facets, sizeof *item_of);
   uint32_t *order = scene_order (builder, frame->n_facets, 3, facet_corners);
   uint32_t i;
 
@@ -153,28 +175,11 @@ add_facets (SceneBuilder *builder)
     const FrameFacet *facet = &frame->facets[order[i]];
     const Role role = scene_facet_role (builder, facet->facet, facet->roles);
 
-    item_of[order[i]] = builder->scene->n_items;
+    item_of[facet->facet] = builder->scene->n_items;
     scene_add_polygon (builder, role, facet->facet, true);
   }
   free (order);
   return item_of;
-}
-
-/* Where @facet stands in the frame's list, which is ascending. */
-static uint32_t
-position_of (const Frame *frame, uint32_t facet)
-{
-  uint32_t low = 0, high = frame->n_facets - 1;
-
-  while (low < high) {
-    const uint32_t middle = low + (high - low) / 2;
-
-    if (frame->facets[middle].facet < facet)
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  return low;
 }
 
 static Role
@@ -224,8 +229,8 @@ add_ridges (SceneBuilder *builder, const uint32_t *item_of)
     scene_add_edge (builder, ridge_role (builder, row),
                     (Object){ OBJECT_RIDGE, row->ridge }, row->site, true);
     item = &builder->scene->items[builder->scene->n_items - 1];
-    item->beside[0] = item_of[position_of (frame, row->facet[0])];
-    item->beside[1] = item_of[position_of (frame, row->facet[1])];
+    item->beside[0] = item_of[row->facet[0]];
+    item->beside[1] = item_of[row->facet[1]];
     if (!is_lower (frame, row->facet[0]) && !is_lower (frame, row->facet[1]))
       item->fade = 1 - (1 - item->fade) * builder->look->lift;
   }

@@ -293,8 +293,8 @@ void
 scene_add_voronoi_vertices (SceneDiagram *diagram)
 {
   const Voronoi *voronoi = diagram->voronoi;
+  const uint32_t *order = scene_order_triangles (diagram->builder);
   bool *is_tied = find_tied (voronoi);
-  uint32_t *order = scene_order_triangles (diagram->builder);
   uint32_t i;
 
   for (i = 0; i < voronoi->delaunay->n_triangles; i++) {
@@ -304,6 +304,5 @@ scene_add_voronoi_vertices (SceneDiagram *diagram)
         && voronoi->vertices[group].triangle == order[i])
       add_vertex (diagram, group, is_tied[group]);
   }
-  free (order);
   free (is_tied);
 }

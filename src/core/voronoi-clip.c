@@ -36,6 +36,31 @@ parameter_of (const Voronoi *voronoi,
   return (double)side_of_far_vertex (voronoi, vertex, edge) * (double)INFINITY;
 }
 
+static bool
+is_in (const Box *box, const Site *at)
+{
+  return box->low.x <= at->x && at->x <= box->high.x && box->low.y <= at->y
+         && at->y <= box->high.y;
+}
+
+/* Returns: whether it ends in the box at both ends, which most edges do; then
+ *          they are in @ends, the left one first. */
+static bool
+ends_in_box (const Voronoi *voronoi,
+             const VoronoiEdge *edge,
+             const Box *box,
+             Site ends[2])
+{
+  int i;
+
+  for (i = 0; i < 2; i++) {
+    if (edge->vertex[i] == INDEX_NONE)
+      return false;
+    ends[i] = voronoi->vertices[edge->vertex[i]].at;
+  }
+  return is_in (box, &ends[0]) && is_in (box, &ends[1]);
+}
+
 bool
 voronoi_clip_edge (const Voronoi *voronoi,
                    uint32_t edge,
@@ -44,11 +69,13 @@ voronoi_clip_edge (const Voronoi *voronoi,
 {
   const VoronoiEdge *row = &voronoi->edges[edge];
   const Site *sites = voronoi->delaunay->set->sites;
-  const Bisector line
-      = bisector_of (&sites[row->site[0]], &sites[row->site[1]]);
   double whole[2] = { -INFINITY, INFINITY };
+  Bisector line;
   double t[2];
 
+  if (ends_in_box (voronoi, row, box, ends))
+    return ends[0].x != ends[1].x || ends[0].y != ends[1].y;
+  line = bisector_of (&sites[row->site[0]], &sites[row->site[1]]);
   /* The left vertex lies to the left of the right one. */
   if (row->vertex[0] != INDEX_NONE)
     whole[1] = parameter_of (voronoi, &line, row->vertex[0], row->site);
@@ -89,6 +116,44 @@ is_active (const Delaunay *delaunay, uint32_t site)
   return low < delaunay->n_active && delaunay->active[low] == site;
 }
 
+#define N_SIDES 16 /* of a cell that is walked round, at most */
+
+/* Goes round a cell, counter-clockwise, whose vertices all lie in the box.
+ *
+ * Returns: the number of corners, 0 when it is not such a cell. */
+static uint32_t
+walk_round (const Voronoi *voronoi,
+            uint32_t site,
+            const Box *box,
+            Site *corners)
+{
+  const uint32_t *incident = &voronoi->incident[voronoi->start[site]];
+  const uint32_t n = voronoi->start[site + 1] - voronoi->start[site];
+  uint32_t tails[N_SIDES], heads[N_SIDES];
+  uint32_t i, k, at;
+
+  if (n < 3 || n > N_SIDES)
+    return 0;
+  for (i = 0; i < n; i++) {
+    const VoronoiEdge *edge = &voronoi->edges[incident[i]];
+    const int is_tail = edge->site[0] == site;
+
+    tails[i] = edge->vertex[is_tail];
+    heads[i] = edge->vertex[!is_tail];
+    if (tails[i] == INDEX_NONE || !is_in (box, &voronoi->vertices[tails[i]].at))
+      return 0;
+  }
+  for (i = 0, at = tails[0]; i < n; i++) {
+    corners[i] = voronoi->vertices[at].at;
+    for (k = 0; k < n && tails[k] != at; k++)
+      continue;
+    if (k == n)
+      return 0;
+    at = heads[k];
+  }
+  return n;
+}
+
 uint32_t
 voronoi_clip_cell (const Voronoi *voronoi,
                    uint32_t site,
@@ -96,11 +161,14 @@ voronoi_clip_cell (const Voronoi *voronoi,
                    Site *corners)
 {
   const Site *sites = voronoi->delaunay->set->sites;
-  uint32_t n = 4;
+  uint32_t n = walk_round (voronoi, site, box, corners);
   uint32_t i;
 
+  if (n > 0)
+    return n;
   if (!is_active (voronoi->delaunay, site))
     return 0;
+  n = 4;
   box_corners (box, corners);
   for (i = voronoi->start[site]; i < voronoi->start[site + 1] && n > 0; i++) {
     const VoronoiEdge *edge = &voronoi->edges[voronoi->incident[i]];
