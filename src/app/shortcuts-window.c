@@ -194,19 +194,30 @@ add_actions (GtkWidget *section, guint group)
 /* GTK writes the names of keys, such as Page_Down, where there is no word for
  * them. */
 static void
-spell_keys (GtkWidget *widget, gpointer user)
+spell_key (GtkLabel *label)
 {
-  g_autoptr (GString) text = NULL;
+  g_autoptr (GString) text = g_string_new (gtk_label_get_text (label));
 
-  if (GTK_IS_CONTAINER (widget))
-    gtk_container_forall (GTK_CONTAINER (widget), spell_keys, user);
-  if (!GTK_IS_LABEL (widget)
-      || !gtk_style_context_has_class (gtk_widget_get_style_context (widget),
-                                       "keycap"))
-    return;
-  text = g_string_new (gtk_label_get_text (GTK_LABEL (widget)));
   if (text->len > 1 && g_string_replace (text, "_", " ", 0) > 0)
-    gtk_label_set_text (GTK_LABEL (widget), text->str);
+    gtk_label_set_text (label, text->str);
+}
+
+#define MOST_CHARACTERS 48 /* of a line, that the window fits on any screen */
+
+static void
+mend_labels (GtkWidget *widget, gpointer user)
+{
+  if (GTK_IS_CONTAINER (widget))
+    gtk_container_forall (GTK_CONTAINER (widget), mend_labels, user);
+  if (!GTK_IS_LABEL (widget))
+    return;
+  if (gtk_style_context_has_class (gtk_widget_get_style_context (widget),
+                                   "keycap")) {
+    spell_key (GTK_LABEL (widget));
+    return;
+  }
+  gtk_label_set_line_wrap (GTK_LABEL (widget), TRUE);
+  gtk_label_set_max_width_chars (GTK_LABEL (widget), MOST_CHARACTERS);
 }
 
 /* Two columns beside each other need this much. */
@@ -264,7 +275,7 @@ shortcuts_window_show (GtkWindow *parent)
                              "transient-for", parent, "destroy-with-parent",
                              TRUE, NULL);
     fill (window, is_small (parent));
-    spell_keys (window, NULL);
+    mend_labels (window, NULL);
     g_signal_connect (window, "delete-event",
                       G_CALLBACK (gtk_widget_hide_on_delete), NULL);
     g_object_set_data (G_OBJECT (parent), "shortcuts", window);

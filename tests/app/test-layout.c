@@ -386,6 +386,7 @@ find_dialog (void)
 /* Of the screen, which is higher than a small one, a title bar and a panel take
  * their part. */
 #define SMALL_HEIGHT (768 - 57)
+#define SMALL_WIDTH 1024
 
 static void
 inspect_size (GtkWidget *dialog, const char *action, GPtrArray *faults)
@@ -396,6 +397,10 @@ inspect_size (GtkWidget *dialog, const char *action, GPtrArray *faults)
   if (height > SMALL_HEIGHT)
     g_ptr_array_add (faults,
                      g_strdup_printf ("%s: it is %d px high", action, height));
+  if (gtk_widget_get_allocated_width (dialog) > SMALL_WIDTH)
+    g_ptr_array_add (faults,
+                     g_strdup_printf ("%s: it is %d px wide", action,
+                                      gtk_widget_get_allocated_width (dialog)));
 }
 
 static void
