@@ -71,6 +71,10 @@ show_question (Hull2vdWindow *window, AskWhy why)
                           GTK_RESPONSE_CANCEL, _ ("_Save"), GTK_RESPONSE_ACCEPT,
                           NULL);
   gtk_dialog_set_default_response (GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT);
+  gtk_style_context_add_class (
+      gtk_widget_get_style_context (gtk_dialog_get_widget_for_response (
+          GTK_DIALOG (dialog), GTK_RESPONSE_ACCEPT)),
+      GTK_STYLE_CLASS_SUGGESTED_ACTION);
   g_signal_connect (dialog, "response", G_CALLBACK (on_answer), window);
   gtk_widget_show (dialog);
 }
