@@ -55,6 +55,17 @@ sites_title (Hull2vdWindow *window)
   return g_filename_display_basename (window->path);
 }
 
+/* Names of files differ at their ends as often as at their beginnings. */
+static void
+ellipsize_in_the_middle (GtkWidget *widget, gpointer user)
+{
+  if (GTK_IS_BOX (widget))
+    gtk_container_forall (GTK_CONTAINER (widget), ellipsize_in_the_middle,
+                          user);
+  if (GTK_IS_LABEL (widget))
+    gtk_label_set_ellipsize (GTK_LABEL (widget), PANGO_ELLIPSIZE_MIDDLE);
+}
+
 void
 hull2vd_window_update_title (Hull2vdWindow *window)
 {
@@ -69,6 +80,8 @@ hull2vd_window_update_title (Hull2vdWindow *window)
   /* After the window's, which the bar would take over. */
   gtk_header_bar_set_title (window->header_bar, title);
   gtk_header_bar_set_subtitle (window->header_bar, subtitle);
+  gtk_container_forall (GTK_CONTAINER (window->header_bar),
+                        ellipsize_in_the_middle, NULL);
 }
 
 /* Hints where a picture is empty */
