@@ -108,20 +108,36 @@ space_hint (const SiteSet *set, const Trace *trace)
   return _ ("No simplex: all lifts lie in one plane");
 }
 
+static const char *
+plane_hint (Hull2vdWindow *window, const SiteSet *set)
+{
+  if (set->n_sites > 0)
+    return NULL;
+  return plane_view_get_paper_bindings (window->plane_view)
+             ? _ ("Right-click in the plane to add the first site")
+             : _ ("Click in the plane to add the first site");
+}
+
 static void
 update_hints (Hull2vdWindow *window)
 {
   const SiteSet *set = session_get_set (window->session);
   const Trace *trace = session_get_trace (window->session);
 
-  set_hint (window->plane_hint,
-            set->n_sites == 0 ? _ ("Click in the plane to add the first site")
-                              : NULL);
+  set_hint (window->plane_hint, plane_hint (window, set));
   set_hint (window->space_hint, space_hint (set, trace));
   /* The lifts of more sites may be as high as a second line. */
   gtk_label_set_max_width_chars (window->space_hint, set->n_distinct < 4
                                                          ? HINT_CHARACTERS
                                                          : MOST_CHARACTERS);
+}
+
+void
+hull2vd_window_set_paper_bindings (Hull2vdWindow *window, gboolean has_them)
+{
+  plane_view_set_paper_bindings (window->plane_view, has_them);
+  lesson_panel_set_right_button_adds (window->lesson_panel, has_them);
+  update_hints (window);
 }
 
 /* The undo buttons say what they undo. */

@@ -18,6 +18,7 @@ struct _LessonPanel {
   LessonSummary *summary;
   GtkLabel *faults;
   GtkLabel *intro, *title, *text;
+  gboolean right_button_adds;
 };
 
 G_DEFINE_TYPE (LessonPanel, lesson_panel, GTK_TYPE_BOX)
@@ -46,19 +47,31 @@ show_stop (LessonPanel *panel, const Lesson *lesson, guint index)
   set_prose (panel->text, stop->prose);
 }
 
+static const char *
+freedom_text (LessonPanel *panel)
+{
+  if (panel->right_button_adds)
+    return _ ("**Right-click** in the plane to add a site. **Drag** a site to "
+              "move it: hull, triangles and cells follow.\n\nClick a site, a "
+              "triangle or a facet to see its counterparts in both pictures; "
+              "**Shift**+click selects several sites. **Delete** removes "
+              "them.\n\nThen step through QuickHull below, or open a lesson "
+              "at the top.");
+  return _ ("**Click** in the plane to add a site; inside a triangle, "
+            "**double-click**. **Drag** a site to move it: hull, triangles "
+            "and cells follow. **Right-click** for more, such as "
+            "coordinates.\n\nClick a site, a triangle or a facet to see "
+            "its counterparts in both pictures; **Shift**+click selects "
+            "several sites. **Delete** removes them.\n\nThen step through "
+            "QuickHull below, or open a lesson at the top.");
+}
+
 static void
 show_freedom (LessonPanel *panel)
 {
   set_prose (panel->intro, "");
   gtk_label_set_text (panel->title, _ ("Your own sites"));
-  set_prose (panel->text,
-             _ ("**Click** in the plane to add a site; inside a triangle, "
-                "**double-click**. **Drag** a site to move it: hull, triangles "
-                "and cells follow. **Right-click** for more, such as "
-                "coordinates.\n\nClick a site, a triangle or a facet to see "
-                "its counterparts in both pictures; **Shift**+click selects "
-                "several sites. **Delete** removes them.\n\nThen step through "
-                "QuickHull below, or open a lesson at the top."));
+  set_prose (panel->text, freedom_text (panel));
 }
 
 /* Where the person was another time is offered, not gone to. */
@@ -92,6 +105,13 @@ update (LessonPanel *panel)
   show_resume (panel);
   gtk_adjustment_set_value (gtk_scrolled_window_get_vadjustment (panel->scroll),
                             0);
+}
+
+void
+lesson_panel_set_right_button_adds (LessonPanel *panel, gboolean adds)
+{
+  panel->right_button_adds = adds;
+  update (panel);
 }
 
 /* More of them would push the text away. */

@@ -14,6 +14,10 @@ G_DECLARE_FINAL_TYPE (LessonPanel, lesson_panel, HULL2VD, LESSON_PANEL, GtkBox)
 
 void lesson_panel_set_session (LessonPanel *panel, Session *session);
 
+/* Which button of the mouse adds sites, as the panel says without a lesson:
+ * the left one at first. It has a session. */
+void lesson_panel_set_right_button_adds (LessonPanel *panel, gboolean adds);
+
 /* Tells what is wrong with the lesson's file, in place; NULL or none: nothing
  * is. */
 void lesson_panel_set_faults (LessonPanel *panel, const LessonFaults *faults);

@@ -164,7 +164,7 @@ run_paper_bindings (Hull2vdWindow *window)
 {
   const gboolean has_them = !plane_view_get_paper_bindings (window->plane_view);
 
-  plane_view_set_paper_bindings (window->plane_view, has_them);
+  hull2vd_window_set_paper_bindings (window, has_them);
   if (window->settings != NULL)
     g_settings_set_boolean (window->settings, "paper-bindings", has_them);
 }

@@ -153,9 +153,8 @@ restore (Hull2vdWindow *window)
       g_settings_get_int (window->settings, "lesson-width"));
   session_set_step_size (window->session, (StepSize)g_settings_get_enum (
                                               window->settings, "step-size"));
-  plane_view_set_paper_bindings (
-      window->plane_view,
-      g_settings_get_boolean (window->settings, "paper-bindings"));
+  hull2vd_window_set_paper_bindings (
+      window, g_settings_get_boolean (window->settings, "paper-bindings"));
   session_set_snaps (window->session,
                      g_settings_get_boolean (window->settings, "snap"));
   for (WindowPanel panel = 0; panel < N_PANELS; panel++)
