@@ -7,6 +7,11 @@
 #include <math.h>
 
 #define PAPER_DARK 0.2 /* a background of less luminance is dark */
+#define SHEETS "/io/github/hull2vd/Hull2VD/"
+
+/* Of what is said about faults. */
+static const Colour fault_on_light = { 0.647, 0.114, 0.176, 1 };
+static const Colour fault_on_dark = { 1, 0.71, 0.66, 1 };
 
 /* Settings */
 
@@ -53,6 +58,14 @@ define (GString *css, const char *name, Colour colour)
                           (unsigned long)lround (255 * colour.blue));
 }
 
+static gboolean
+is_dark (const Theme *theme)
+{
+  const Colour black = { 0, 0, 0, 1 };
+
+  return colour_contrast (theme->background, black) < PAPER_DARK * 20 + 1;
+}
+
 static char *
 write_colours (const Theme *theme)
 {
@@ -64,10 +77,13 @@ write_colours (const Theme *theme)
   define (css, "view", ground);
   define (css, "text", theme->text);
   define (css, "muted", colour_mix (theme->text, ground, 0.28));
+  define (css, "readout", colour_mix (theme->text, ground, 0.12));
+  define (css, "fault", is_dark (theme) ? fault_on_dark : fault_on_light);
   define (css, "accent", accent);
   define (css, "chosen", colour_mix (ground, accent, 0.2));
   define (css, "current", colour_mix (ground, visible, 0.18));
   define (css, "current_line", visible);
+  define (css, "right", opaque (theme->styles[ROLE_CONE_EDGE].line));
   define (css, "stop", opaque (theme->styles[ROLE_SITE_APEX].line));
   return g_string_free (css, FALSE);
 }
@@ -89,12 +105,31 @@ load_colours (const Theme *theme)
 
 /* Chrome */
 
-static gboolean
-is_dark (const Theme *theme)
+/* What GTK's dark looks leave too faint. */
+static const char *
+sheet_of (ThemeKind kind)
 {
-  const Colour black = { 0, 0, 0, 1 };
+  if (kind == THEME_CONTRAST)
+    return SHEETS "contrast.css";
+  return is_dark (theme_get (kind)) ? SHEETS "dark.css" : NULL;
+}
 
-  return colour_contrast (theme->background, black) < PAPER_DARK * 20 + 1;
+static void
+load_sheet (ThemeKind kind)
+{
+  static GtkCssProvider *provider;
+  const char *sheet = sheet_of (kind);
+
+  if (provider == NULL) {
+    provider = gtk_css_provider_new ();
+    gtk_style_context_add_provider_for_screen (
+        gdk_screen_get_default (), GTK_STYLE_PROVIDER (provider),
+        GTK_STYLE_PROVIDER_PRIORITY_APPLICATION + 1);
+  }
+  if (sheet != NULL)
+    gtk_css_provider_load_from_resource (provider, sheet);
+  else
+    gtk_css_provider_load_from_data (provider, "", -1, NULL);
 }
 
 /* The desktop's own look where the theme does not ask for another. */
@@ -130,6 +165,7 @@ window_theme_dress (Hull2vdWindow *window)
 
   choose_gtk_theme (kind);
   load_colours (theme_get (kind));
+  load_sheet (kind);
   set_class (GTK_WIDGET (window), kind);
   if (window->space_window != NULL)
     set_class (window->space_window, kind);

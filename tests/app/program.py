@@ -194,14 +194,7 @@ class Program:
         return root and self.find_below(root, role, name, contains)
 
     def find_below(self, node, role, name=None, contains=None):
-        """The program looks itself: to walk all that it shows from here takes
-        a question for each thing."""
-        rule = Atspi.MatchRule.new(
-            Atspi.StateSet.new([Atspi.StateType.SHOWING]), ALL, {}, ALL,
-            [ROLES[role]], ANY, [], ALL, False)
-        found = Atspi.Collection.get_matches(
-            node, rule, Atspi.CollectionSortOrder.CANONICAL, 0, True)
-        for child in found:
+        for child in self.find_all(role, node):
             try:
                 title = child.get_name()
             except GLib.Error:  # gone since
@@ -210,6 +203,16 @@ class Program:
                     contains is None or contains in title):
                 return child
         return None
+
+    def find_all(self, role, node=None):
+        """The program looks itself: to walk all that it shows from here takes
+        a question for each thing."""
+        rule = Atspi.MatchRule.new(
+            Atspi.StateSet.new([Atspi.StateType.SHOWING]), ALL, {}, ALL,
+            [ROLES[role]], ANY, [], ALL, False)
+        return Atspi.Collection.get_matches(
+            node or self.root(), rule, Atspi.CollectionSortOrder.CANONICAL, 0,
+            True)
 
     def focus(self):
         """The name of what has the keyboard, in a list; empty: nothing."""
