@@ -16,7 +16,7 @@ static const KeyWord key_words[] = {
   { N_ ("sees"), ROLE_VISIBLE },
   { N_ ("visible"), ROLE_VISIBLE },
   { N_ ("horizon"), ROLE_HORIZON },
-  { N_ ("cone"), ROLE_CONE },
+  { N_ ("cone"), ROLE_CONE_EDGE },
 };
 
 typedef struct Markup {
