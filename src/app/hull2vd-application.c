@@ -62,6 +62,19 @@ set_accelerators (GtkApplication *application)
                                          keys_of (action_find ("quit")));
 }
 
+/* No window is closed while it is below a modal one. */
+static void
+close_modal_windows (void)
+{
+  GList *windows = gtk_window_list_toplevels ();
+
+  for (GList *node = windows; node != NULL; node = node->next)
+    if (gtk_window_get_modal (node->data)
+        && gtk_widget_get_visible (node->data))
+      gtk_window_close (node->data);
+  g_list_free (windows);
+}
+
 static void
 on_quit (GSimpleAction *action, GVariant *parameter, gpointer user)
 {
@@ -70,6 +83,7 @@ on_quit (GSimpleAction *action, GVariant *parameter, gpointer user)
 
   (void)action;
   (void)parameter;
+  close_modal_windows ();
   /* Each window may ask whether to save. */
   for (GList *node = windows; node != NULL; node = node->next)
     gtk_window_close (node->data);
