@@ -8,8 +8,10 @@
 #define PADDING 1.5
 #define CROWDED 0.75 /* where sites are drawn smaller, few have names */
 
-#define NAME_ROOM 2.2   /* from site to site, times the size of type */
-#define SPACE_ROOM 1.28 /* of it in space, where more lines meet */
+/* From site to site, for each letter of a name, times the size of type; in
+ * space, where more lines meet, times so much more. */
+#define LETTER_ROOM 0.75
+#define SPACE_ROOM 1.2
 #define LARGE_TEXT_PX 18.0
 
 #define FEW 24 /* so many that are lit are all shown, whatever they cover */
@@ -218,11 +220,26 @@ add_ink_near (LabelSheet *sheet, const Drawing *drawing, const GArray *labels)
   squares_clear (&squares);
 }
 
-/* There is ink everywhere then: a name is best next to its mark. */
+/* There is ink everywhere then: a name is best next to its mark, but for what
+ * is loud. */
 static bool
 is_crowd (const Drawing *drawing)
 {
   return drawing->size < CROWDED;
+}
+
+/* Adds the ink of what is loud alone. */
+static void
+add_loud_ink (LabelSheet *sheet, const Drawing *drawing, const Scene *scene)
+{
+  uint32_t i;
+
+  for (i = 0; i < drawing->n_strokes; i++) {
+    const uint32_t item = drawing->strokes[i].place.item;
+
+    if (item != INDEX_NONE && scene->items[item].emphasis == EMPHASIS_LOUD)
+      add_ink (drawing, &drawing->strokes[i], sheet);
+  }
 }
 
 /* A site's foot has no name: that of a lift should not seem to be it. */
@@ -249,7 +266,9 @@ place_in_stock (Painter *painter, const Wanted *wanted)
   const GArray *labels = wanted->labels;
   LabelSheet *sheet = sheet_new (drawing, labels);
 
-  if (!is_crowd (drawing)) {
+  if (is_crowd (drawing))
+    add_loud_ink (sheet, drawing, painter->scene);
+  else {
     add_ink_near (sheet, drawing, labels);
     add_feet (painter, sheet);
   }
@@ -263,8 +282,10 @@ static bool
 has_room_for_names (const Painter *painter)
 {
   const double text_px = MIN (painter->theme->text_px, LARGE_TEXT_PX);
-  const double room
-      = NAME_ROOM * text_px * (painter->scene->is_space ? SPACE_ROOM : 1);
+  const double n_digits
+      = 1 + floor (log10 (MAX (painter->scene->stock.n_sites, 2) - 1));
+  const double room = LETTER_ROOM * (1 + n_digits) * text_px
+                      * (painter->scene->is_space ? SPACE_ROOM : 1);
 
   return !is_crowd (painter->drawing) && painter_room (painter) >= room;
 }
