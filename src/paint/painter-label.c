@@ -11,7 +11,7 @@
 /* From site to site, for each letter of a name, times the size of type; in
  * space, where more lines meet, times so much more. */
 #define LETTER_ROOM 0.75
-#define SPACE_ROOM 1.2
+#define SPACE_ROOM 1.15
 #define LARGE_TEXT_PX 18.0
 
 #define FEW 24 /* so many that are lit are all shown, whatever they cover */
