@@ -64,13 +64,20 @@ blame (Inspection *inspection, GtkWidget *widget, const char *fault)
     g_ptr_array_add (inspection->faults, line);
 }
 
-/* The title is in the list of windows too; GTK cuts it rather than buttons. */
+static gboolean
+is_pseudo (void)
+{
+  return g_strcmp0 (g_getenv ("HULL2VD_LANGUAGE"), "pseudo") == 0;
+}
+
+/* GTK cuts the title rather than buttons, which is right where words are longer
+ * than those of any language. */
 static gboolean
 may_be_cut (GtkWidget *label)
 {
   GtkWidget *bar = gtk_widget_get_ancestor (label, GTK_TYPE_HEADER_BAR);
 
-  return bar != NULL
+  return is_pseudo () && bar != NULL
          && gtk_widget_get_ancestor (label, GTK_TYPE_BUTTON) == NULL;
 }
 
@@ -217,7 +224,7 @@ lesson_stride (void)
 {
   if (is_soak ())
     return 1;
-  return g_strcmp0 (g_getenv ("HULL2VD_LANGUAGE"), "pseudo") == 0 ? 2 : 5;
+  return is_pseudo () ? 2 : 5;
 }
 
 /* One of @n stops. */
