@@ -125,11 +125,19 @@ square_sums_compare (const SquareSums *before,
       squares->is_marked[i] = true;
 }
 
+static bool
+is_empty (const Drawing *drawing)
+{
+  return drawing->n_strokes == 0 && drawing->n_placed == 0;
+}
+
 void
 drawing_compare (const Drawing *before, const Drawing *after, Squares *squares)
 {
   SquareSums sums[2] = { { .sums = NULL }, { .sums = NULL } };
 
+  if (is_empty (before) && is_empty (after))
+    return;
   square_sums_set (&sums[0], &squares->grid, before);
   square_sums_set (&sums[1], &squares->grid, after);
   square_sums_compare (&sums[0], &sums[1], squares);

@@ -73,16 +73,41 @@ drawing_add_name (Drawing *drawing, const PlacedName *placed)
   drawing->placed[drawing->n_placed++] = *placed;
 }
 
-Stroke *
-stroke_begin (Drawing *drawing, StrokeKind kind, uint32_t style)
+static Stroke *
+add_stroke (Drawing *drawing)
 {
-  Stroke *stroke;
-
   if (drawing->n_strokes == drawing->strokes_room)
     drawing->strokes
         = memory_grow (drawing->strokes, &drawing->strokes_room,
                        drawing->n_strokes + 1, sizeof *drawing->strokes);
-  stroke = &drawing->strokes[drawing->n_strokes++];
+  return &drawing->strokes[drawing->n_strokes++];
+}
+
+Stroke *
+drawing_add_copy (Drawing *drawing, const Drawing *from, const Stroke *stroke)
+{
+  const Pixel *pixels = &from->pixels[stroke->first];
+  Stroke *copy = add_stroke (drawing);
+  uint32_t i;
+
+  if (drawing->pixels_room - drawing->n_pixels < stroke->n)
+    drawing->pixels
+        = memory_grow (drawing->pixels, &drawing->pixels_room,
+                       drawing->n_pixels + stroke->n, sizeof *drawing->pixels);
+  *copy = *stroke;
+  copy->first = drawing->n_pixels;
+  /* They are few: to call memcpy() would take longer. */
+  for (i = 0; i < stroke->n; i++)
+    drawing->pixels[copy->first + i] = pixels[i];
+  drawing->n_pixels += stroke->n;
+  return copy;
+}
+
+Stroke *
+stroke_begin (Drawing *drawing, StrokeKind kind, uint32_t style)
+{
+  Stroke *stroke = add_stroke (drawing);
+
   /* Two drawings are compared by their bytes: no room between the members
    * may be left to chance. */
   memset (stroke, 0, sizeof *stroke);

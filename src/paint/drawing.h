@@ -131,6 +131,12 @@ Stroke *stroke_begin (Drawing *drawing, StrokeKind kind, uint32_t style);
 void stroke_add (Drawing *drawing, Pixel pixel);
 void stroke_end (Drawing *drawing);
 
+/* Adds a copy of a stroke of another drawing, with its place, key and style.
+ *
+ * Returns: the copy, until the next one is added. */
+Stroke *
+drawing_add_copy (Drawing *drawing, const Drawing *from, const Stroke *stroke);
+
 /* Returns: how far a stroke is painted beyond its pixels at most, px. */
 double stroke_reach (const Drawing *drawing, const Stroke *stroke);
 

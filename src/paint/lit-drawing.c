@@ -173,16 +173,7 @@ copy_stroke (Drawing *to,
              const Stroke *stroke,
              uint32_t styles)
 {
-  Stroke *copy = stroke_begin (to, stroke->kind, styles + stroke->style);
-  const uint32_t first = copy->first;
-  uint32_t i;
-
-  *copy = *stroke;
-  copy->style += styles;
-  copy->first = first;
-  copy->n = 0;
-  for (i = 0; i < stroke->n; i++)
-    stroke_add (to, from->pixels[stroke->first + i]);
+  drawing_add_copy (to, from, stroke)->style += styles;
 }
 
 static bool

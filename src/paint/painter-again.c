@@ -13,16 +13,22 @@
 /* Styles that nothing has any more are not taken out: then all is drawn. */
 #define MANY_STYLES 2000
 
-/* Two sums side by side take hardly longer than one. */
-typedef struct Sums {
-  uint64_t a, b;
-} Sums;
+/* A sum over words. Each word is multiplied with the sum so far, and both
+ * halves of the product are kept.
+ *
+ * Source: Wang Yi, wyhash. The first constant is the pattern of no number, so
+ *         that no coordinate makes the product 0. */
+#define SECRET_A 0xfff2d3c5a1b69e87U
+#define SECRET_B 0xe7037ed1a0b428dbU
+
+__extension__ typedef unsigned __int128 Product;
 
 static uint64_t
-stir (uint64_t sum, uint64_t word)
+stir (uint64_t sum, uint64_t a, uint64_t b)
 {
-  sum = (sum ^ word) * 0x9fb21c651e98df25U;
-  return sum ^ sum >> 32;
+  const Product product = (Product)(a ^ SECRET_A) * (b ^ sum ^ SECRET_B);
+
+  return (uint64_t)product ^ (uint64_t)(product >> 64);
 }
 
 static uint64_t
@@ -34,24 +40,26 @@ bits_of (double number)
   return bits;
 }
 
-static void
-stir_points (Sums *sums, const Point3 *points, uint32_t n)
+/* In the plane all z are 0. */
+static uint64_t
+stir_points (uint64_t sum, const Point3 *points, uint32_t n, bool is_space)
 {
   uint32_t i;
 
   for (i = 0; i < n; i++) {
     const Point3 *point = &points[i];
 
-    sums->a = stir (sums->a, bits_of (point->x));
-    sums->b = stir (sums->b, bits_of (point->y));
-    if (point->z < 0 || point->z > 0)
-      sums->a = stir (sums->a, bits_of (point->z));
+    sum = stir (sum, bits_of (point->x), bits_of (point->y));
+    if (is_space)
+      sum = stir (sum, bits_of (point->z), 0);
   }
+  return sum;
 }
 
 uint64_t
 painter_key (const Painter *painter, const SceneItem *item, StrokeKind kind)
 {
+  const bool is_space = painter->scene->is_space;
   const uint64_t look = (uint64_t)item->role << 32 | (uint64_t)item->shape << 24
                         | (uint64_t)item->emphasis << 16
                         | (uint64_t)item->pass << 8
@@ -59,15 +67,15 @@ painter_key (const Painter *painter, const SceneItem *item, StrokeKind kind)
                         | (uint64_t)(item->object.kind == OBJECT_VERTEX);
   const uint64_t place = (uint64_t)item->n << 32
                          | painter->drawing->in_hand.layer << 8
-                         | (uint64_t)kind << 1 | painter->scene->is_space;
-  Sums sums = { look, place };
+                         | (uint64_t)kind << 1 | is_space;
+  uint64_t sum;
 
   if (painter->drawing->is_sketch)
     return 0;
-  sums.a = stir (sums.a, bits_of (item->fade));
-  sums.b = stir (sums.b, item->hue);
-  stir_points (&sums, &painter->scene->points[item->first], item->n);
-  return stir (sums.a, sums.b * 0xd6e8feb86659fd93U);
+  sum = stir (item->hue, look, place);
+  sum = stir (sum, bits_of (item->fade), 0);
+  return stir_points (sum, &painter->scene->points[item->first], item->n,
+                      is_space);
 }
 
 /* The strokes up to @end are not in the new drawing. */
@@ -93,22 +101,6 @@ find (const Painter *painter, uint64_t key)
     if (before->strokes[i].key == key)
       return i;
   return INDEX_NONE;
-}
-
-static void
-copy_stroke (Painter *painter, const Stroke *stroke)
-{
-  Drawing *drawing = painter->drawing;
-  Stroke *copy = stroke_begin (drawing, stroke->kind, stroke->style);
-  const uint32_t first = copy->first;
-  uint32_t i;
-
-  *copy = *stroke;
-  copy->place = drawing->in_hand;
-  copy->first = first;
-  copy->n = 0;
-  for (i = 0; i < stroke->n; i++)
-    stroke_add (drawing, painter->before->pixels[stroke->first + i]);
 }
 
 /* Items that look all the same and follow each other have keys of their own,
@@ -139,7 +131,8 @@ painter_draw_again (Painter *painter, uint64_t key)
     return false;
   leave_out (painter, i);
   for (; i < before->n_strokes && before->strokes[i].key == key; i++)
-    copy_stroke (painter, &before->strokes[i]);
+    drawing_add_copy (painter->drawing, before, &before->strokes[i])->place
+        = painter->drawing->in_hand;
   painter->cursor = i;
   return true;
 }

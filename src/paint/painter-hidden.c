@@ -21,6 +21,8 @@ struct HiddenCorners {
   uint32_t n_corners;
 };
 
+#define FEW_SPOTS 1024 /* a power of two */
+
 /* A place and its number, while corners are numbered. */
 typedef struct Spot {
   uint64_t hash; /* 0: none */
@@ -84,58 +86,85 @@ first_corner (const SceneItem *item)
   return can_hide (item) ? item->n - 1 : 0;
 }
 
-/* Gives a place its number, the next one when it is new. */
-static uint32_t
-number_place (Spot *places, uint32_t mask, uint64_t hash, uint32_t *n_numbers)
-{
-  uint32_t i = (uint32_t)(hash >> 32) & mask;
+typedef struct Spots {
+  Spot *spots;
+  uint32_t room, n; /* room: a power of two */
+} Spots;
 
-  while (places[i].hash != 0 && places[i].hash != hash)
-    i = (i + 1) & mask;
-  if (places[i].hash == 0)
-    places[i] = (Spot){ hash, (*n_numbers)++ };
-  return places[i].number;
+/* Returns: the spot of a place, or the free one that is for it. */
+static Spot *
+find_spot (const Spots *spots, uint64_t hash)
+{
+  uint32_t i = (uint32_t)(hash >> 32) & (spots->room - 1);
+
+  while (spots->spots[i].hash != 0 && spots->spots[i].hash != hash)
+    i = (i + 1) & (spots->room - 1);
+  return &spots->spots[i];
 }
 
 static void
-number_corners (HiddenCorners *hidden, const Scene *scene, uint32_t n_points)
+double_room (Spots *spots)
 {
-  uint32_t i, k, room = 16;
-  Spot *places;
+  const Spots old = *spots;
+  uint32_t i;
 
-  while (room < 2 * (n_points + 1))
-    room *= 2;
-  places = memory_new (room, sizeof *places);
+  spots->room *= 2;
+  spots->spots = memory_new (spots->room, sizeof *spots->spots);
+  for (i = 0; i < old.room; i++)
+    if (old.spots[i].hash != 0)
+      *find_spot (spots, old.spots[i].hash) = old.spots[i];
+  free (old.spots);
+}
+
+/* Gives a place its number, the next one when it is new. */
+static uint32_t
+number_place (Spots *spots, uint64_t hash)
+{
+  Spot *spot = find_spot (spots, hash);
+  const uint32_t number = spots->n;
+
+  if (spot->hash != 0)
+    return spot->number;
+  *spot = (Spot){ hash, number };
+  spots->n += 1;
+  if (2 * spots->n > spots->room)
+    double_room (spots);
+  return number;
+}
+
+static void
+number_corners (HiddenCorners *hidden, const Scene *scene)
+{
+  Spots spots = { memory_new (FEW_SPOTS, sizeof *spots.spots), FEW_SPOTS, 0 };
+  uint32_t i, k;
+
   for (i = 0; i < scene->stock.n_items; i++) {
     const SceneItem *item = &scene->items[i];
+    const bool has_say = counts (item);
 
-    if (!counts (item) && !can_hide (item))
+    if (!has_say && !can_hide (item))
       continue;
-    if (counts (item))
+    if (has_say)
       hidden->items[hidden->n_items++] = i;
     for (k = item->first + first_corner (item); k < item->first + item->n; k++)
-      hidden->numbers[k] = number_place (
-          places, room - 1, place_of (scene->points[k]), &hidden->n_corners);
+      hidden->numbers[k] = number_place (&spots, place_of (scene->points[k]));
   }
-  free (places);
+  hidden->n_corners = spots.n;
+  free (spots.spots);
 }
 
 static void
 begin_scene (HiddenCorners *hidden, const Scene *scene)
 {
   const SceneStock *stock = &scene->stock;
-  uint32_t i, n_points = 0;
 
   free (hidden->numbers);
   free (hidden->items);
   free (hidden->states);
   *hidden = (HiddenCorners){ .edition = stock->edition };
-  for (i = 0; i < stock->n_items; i++)
-    if (counts (&scene->items[i]) || can_hide (&scene->items[i]))
-      n_points += scene->items[i].n;
   hidden->numbers = memory_room (stock->n_points, sizeof *hidden->numbers);
   hidden->items = memory_room (stock->n_items, sizeof *hidden->items);
-  number_corners (hidden, scene, n_points);
+  number_corners (hidden, scene);
   hidden->states = memory_room (hidden->n_corners, sizeof *hidden->states);
 }
 

@@ -96,6 +96,12 @@ void painter_add_items (Painter *painter, const uint32_t *items, uint32_t n);
 /* Returns: the number of the item's style in the drawing. */
 uint32_t painter_number_style (Painter *painter, const SceneItem *item);
 
+/* Whether nothing is seen of an item in a style; whether this is known of all
+ * items of its sort already. Who looks for strokes that were never there looks
+ * long. */
+bool style_is_unseen (const Style *style, const SceneItem *item);
+bool painter_has_none (const Painter *painter, const SceneItem *item);
+
 /* Returns: the item's style as it is painted: thinner in a crowd, on the
  *          ground of space, and behind the hull. */
 Style painter_style (const Painter *painter, const SceneItem *item);

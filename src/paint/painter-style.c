@@ -10,6 +10,8 @@
 #define UNDER_ALPHA 0.12
 #define FAR_FILL 0.45
 
+#define LEAST_RADIUS 1.3 /* of a mark; what is smaller is left out */
+
 #define DASH_LEAST 2.8 /* of the lifts */
 
 static void
@@ -119,18 +121,57 @@ sort_of (const Painter *painter, const SceneItem *item)
   return 2 * sort + (item->object.kind == OBJECT_VERTEX);
 }
 
+bool
+style_is_unseen (const Style *style, const SceneItem *item)
+{
+  switch (item->shape) {
+  case SHAPE_POLYGON:
+    return style->fill.alpha <= 0 && style->line.alpha <= 0
+           && style->halo.alpha <= 0;
+  case SHAPE_PATH:
+    return style->line.alpha <= 0;
+  case SHAPE_MARK:
+    return style->mark == MARK_NONE || item->fade >= 1
+           || style->radius < LEAST_RADIUS;
+  }
+  return false;
+}
+
+static PainterSort *
+place_of (const Painter *painter, uint32_t sort)
+{
+  return &painter->sorts[sort * 0x9e3779b1U >> 16 & (N_PAINTER_SORTS - 1)];
+}
+
+static bool
+is_of (const PainterSort *known, uint32_t sort, const SceneItem *item)
+{
+  return known->sort == sort && !(known->fade < item->fade)
+         && !(known->fade > item->fade);
+}
+
+bool
+painter_has_none (const Painter *painter, const SceneItem *item)
+{
+  const uint32_t sort = sort_of (painter, item) + 1;
+  const PainterSort *known;
+
+  if (painter->sorts == NULL)
+    return false;
+  known = place_of (painter, sort);
+  return is_of (known, sort, item)
+         && style_is_unseen (&painter->drawing->styles[known->style], item);
+}
+
 uint32_t
 painter_number_style (Painter *painter, const SceneItem *item)
 {
   const uint32_t sort = sort_of (painter, item) + 1;
   PainterSort new_one = { 0, 0, 0 };
   PainterSort *known
-      = painter->sorts == NULL
-            ? &new_one
-            : &painter->sorts[sort * 0x9e3779b1U >> 16 & (N_PAINTER_SORTS - 1)];
+      = painter->sorts == NULL ? &new_one : place_of (painter, sort);
 
-  if (known->sort != sort || known->fade < item->fade
-      || known->fade > item->fade) {
+  if (!is_of (known, sort, item)) {
     SceneItem any = *item;
     Style style;
 

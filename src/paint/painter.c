@@ -16,8 +16,6 @@
 #define FACTOR_MOST 2.0
 #define SIZE_LEAST 0.25
 
-#define LEAST_RADIUS 1.3 /* of a mark; what is smaller is left out */
-
 /* A scene of so many items may be drawn as a sketch. With fewer of them each
  * is looked at, and they take little time. */
 #define MANY_ITEMS 2000
@@ -94,7 +92,7 @@ add_polygon (Painter *painter, const SceneItem *item)
   const Style *look = &drawing->styles[style];
   Colour fill;
 
-  if (look->fill.alpha <= 0 && look->line.alpha <= 0 && look->halo.alpha <= 0)
+  if (style_is_unseen (look, item))
     return;
   fill = fill_of (painter, item, look);
   if (painter_sketch_polygon (painter, item, look, fill))
@@ -149,7 +147,8 @@ add_path (Painter *painter, const SceneItem *item)
   const bool may_lack
       = painter->drawing->is_sketch && painter->depth == DEPTH_HULL_FAR;
 
-  if (look->line.alpha > (may_lack ? FAINT / look->width : 0)
+  if (!style_is_unseen (look, item)
+      && look->line.alpha > (may_lack ? FAINT / look->width : 0)
       && !painter_sketch_path (painter, item, look))
     painter_trace (painter, item, STROKE_LINE, style);
 }
@@ -161,7 +160,7 @@ add_mark (Painter *painter, const SceneItem *item)
   const Style *look = &painter->drawing->styles[style];
   Pixel at;
 
-  if (look->mark == MARK_NONE || item->fade >= 1 || look->radius < LEAST_RADIUS
+  if (style_is_unseen (look, item)
       || !clip_point (painter->projection, painter->scene->points[item->first],
                       &at)
       || at.x < -PAINTER_MARGIN || at.y < -PAINTER_MARGIN
@@ -178,7 +177,8 @@ add_mark (Painter *painter, const SceneItem *item)
 static void
 add_item (Painter *painter, const SceneItem *item)
 {
-  if (painter_draw_again (painter, painter_key (painter, item, STROKE_LINE)))
+  if (painter_has_none (painter, item)
+      || painter_draw_again (painter, painter_key (painter, item, STROKE_LINE)))
     return;
   if (item->shape == SHAPE_POLYGON)
     add_polygon (painter, item);
