@@ -44,6 +44,19 @@ is_joining (const GdkEventKey *event)
 }
 
 gboolean
+canvas_keeps_key (guint keyval, GdkModifierType modifiers)
+{
+  double by[2];
+
+  if (modifiers & (GDK_CONTROL_MASK | GDK_MOD1_MASK))
+    return FALSE;
+  return is_return (keyval) || keyval == GDK_KEY_Insert
+         || keyval == GDK_KEY_plus || keyval == GDK_KEY_KP_Add
+         || keyval == GDK_KEY_minus || keyval == GDK_KEY_KP_Subtract
+         || (canvas_arrow (keyval, by) && (modifiers & GDK_SHIFT_MASK) != 0);
+}
+
+gboolean
 canvas_wants_key (Canvas *canvas, const GdkEventKey *event)
 {
   const gboolean has_cursor = canvas_get_cursor (canvas).kind != OBJECT_NONE;
@@ -51,27 +64,14 @@ canvas_wants_key (Canvas *canvas, const GdkEventKey *event)
 
   if (is_joining (event))
     return canvas_get_cursor (canvas).kind == OBJECT_SITE;
+  if (canvas_keeps_key (event->keyval, event->state))
+    return TRUE;
   if (event->state & (GDK_CONTROL_MASK | GDK_MOD1_MASK))
     return FALSE;
-  if (canvas_arrow (event->keyval, by))
-    return has_cursor || (event->state & GDK_SHIFT_MASK) != 0;
-
-  switch (event->keyval) {
-  case GDK_KEY_Return:
-  case GDK_KEY_KP_Enter:
-  case GDK_KEY_Insert:
-  case GDK_KEY_plus:
-  case GDK_KEY_KP_Add:
-  case GDK_KEY_minus:
-  case GDK_KEY_KP_Subtract:
-    return TRUE;
-  case GDK_KEY_Delete:
-  case GDK_KEY_BackSpace:
-  case GDK_KEY_Escape:
-    return has_cursor;
-  default:
-    return FALSE;
-  }
+  return has_cursor
+         && (canvas_arrow (event->keyval, by) || event->keyval == GDK_KEY_Delete
+             || event->keyval == GDK_KEY_BackSpace
+             || event->keyval == GDK_KEY_Escape);
 }
 
 static gboolean

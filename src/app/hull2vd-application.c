@@ -1,9 +1,12 @@
 #include "hull2vd-application.h"
 
 #include "action.h"
+#include "keys-dialog.h"
 #include "keys.h"
 #include "lesson-list.h"
 #include "progress-keeper.h"
+#include "shortcuts-window.h"
+#include "tooltips.h"
 #include "window-private.h"
 
 #include <glib-unix.h>
@@ -51,8 +54,7 @@ set_accelerators (GtkApplication *application)
   for (guint i = 0; i < n_actions; i++) {
     g_autofree char *name = NULL;
 
-    if ((actions[i].where & ACTION_IN_WINDOW) == 0
-        || actions[i].parameter != NULL)
+    if (!keys_can_do (&actions[i]))
       continue;
     name = g_strconcat ("win.", actions[i].name, NULL);
     gtk_application_set_accels_for_action (application, name,
@@ -60,6 +62,22 @@ set_accelerators (GtkApplication *application)
   }
   gtk_application_set_accels_for_action (application, "app.quit",
                                          keys_of (action_find ("quit")));
+}
+
+/* Menus follow by themselves. */
+static void
+on_keys_changed (gpointer user)
+{
+  GList *windows = gtk_window_list_toplevels ();
+
+  set_accelerators (user);
+  for (GList *node = windows; node != NULL; node = node->next) {
+    tooltips_update (node->data);
+    shortcuts_window_forget (node->data);
+    if (HULL2VD_IS_KEYS_DIALOG (node->data))
+      keys_dialog_update (node->data);
+  }
+  g_list_free (windows);
 }
 
 /* No window is closed while it is below a modal one. */
@@ -141,7 +159,7 @@ hull2vd_application_startup (GApplication *application)
   load_style ();
   g_action_map_add_action_entries (G_ACTION_MAP (application), entries,
                                    G_N_ELEMENTS (entries), application);
-  keys_check ();
+  keys_init (on_keys_changed, application);
   check_renderer ();
   set_accelerators (GTK_APPLICATION (application));
   watch_signals (application);

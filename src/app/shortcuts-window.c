@@ -1,57 +1,9 @@
 #include "shortcuts-window.h"
 
-#include "action.h"
+#include "action-groups.h"
 #include "keys.h"
 
 #include <glib/gi18n.h>
-
-/* The first group whose prefix an action's name has takes it, but for those
- * that are named whole. None is higher than a small screen. */
-static const struct {
-  const char *title;
-  const char *prefixes; /* separated by blanks */
-} groups[] = {
-  { N_ ("Steps"), "next back first last play goto" },
-  { N_ ("Lesson"), "next-stop previous-stop next-task previous-task "
-                   "next-lesson" },
-  { N_ ("Sites"), "select delete undo redo nudge copy paste add move-site snap "
-                  "generate" },
-  { N_ ("Pictures"), "layer camera fit zoom" },
-  { N_ ("Panels"), "panel fullscreen blank" },
-  { N_ ("Files and window"), "" },
-};
-
-static gboolean
-has_whole (guint group, const char *name)
-{
-  g_auto (GStrv) words = g_strsplit (groups[group].prefixes, " ", -1);
-
-  return g_strv_contains ((const char *const *)words, name);
-}
-
-static gboolean
-has_prefix (guint group, const char *name)
-{
-  g_auto (GStrv) prefixes = g_strsplit (groups[group].prefixes, " ", -1);
-
-  for (guint k = 0; prefixes[k] != NULL; k++)
-    if (g_str_has_prefix (name, prefixes[k]))
-      return TRUE;
-  return prefixes[0] == NULL;
-}
-
-static guint
-group_of (const Action *action)
-{
-  guint group = 0;
-
-  for (guint i = 0; i < G_N_ELEMENTS (groups); i++)
-    if (has_whole (i, action->name))
-      return i;
-  while (!has_prefix (group, action->name))
-    group++;
-  return group;
-}
 
 static GtkWidget *
 make_shortcut (const char *keys, const char *sentence)
@@ -179,14 +131,14 @@ static void
 add_actions (GtkWidget *section, guint group)
 {
   GtkContainer *container
-      = GTK_CONTAINER (add_group (section, _ (groups[group].title)));
+      = GTK_CONTAINER (add_group (section, action_group_title (group)));
   guint n_actions;
   const Action *actions = action_table (&n_actions);
 
   for (guint i = 0; i < n_actions; i++) {
     g_autofree char *keys = g_strjoinv (" ", (GStrv)keys_of (&actions[i]));
 
-    if (keys[0] != '\0' && group_of (&actions[i]) == group)
+    if (keys[0] != '\0' && action_group_of (&actions[i]) == group)
       add_shortcut (container, keys, _ (actions[i].sentence));
   }
 }
@@ -249,11 +201,12 @@ fill (GtkWidget *window, gboolean is_small)
     { "touch", N_ ("Touch"), add_touch },
   };
   GtkWidget *section = add_section (
-      window, "keys", is_small ? _ (groups[0].title) : _ ("Keys"));
+      window, "keys", is_small ? action_group_title (0) : _ ("Keys"));
 
-  for (guint i = 0; i < G_N_ELEMENTS (groups); i++) {
+  for (guint i = 0; i < N_ACTION_GROUPS; i++) {
     if (i > 0 && is_small)
-      section = add_section (window, groups[i].title, _ (groups[i].title));
+      section = add_section (window, action_group_title (i),
+                             action_group_title (i));
     add_actions (section, i);
   }
   for (guint i = 0; i < G_N_ELEMENTS (others); i++) {
@@ -281,4 +234,10 @@ shortcuts_window_show (GtkWindow *parent)
     g_object_set_data (G_OBJECT (parent), "shortcuts", window);
   }
   gtk_window_present (GTK_WINDOW (window));
+}
+
+void
+shortcuts_window_forget (GtkWindow *parent)
+{
+  g_object_set_data (G_OBJECT (parent), "shortcuts", NULL);
 }

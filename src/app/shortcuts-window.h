@@ -8,6 +8,9 @@ G_BEGIN_DECLS
 
 void shortcuts_window_show (GtkWindow *parent);
 
+/* Keys have changed: the next time it is made anew. */
+void shortcuts_window_forget (GtkWindow *parent);
+
 G_END_DECLS
 
 #endif

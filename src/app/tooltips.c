@@ -5,35 +5,33 @@
 
 #include <glib/gi18n.h>
 
-/* The first key, as it is written on keyboards; NULL: none. */
-static char *
-key_text (const Action *action)
+#define ACTION "tooltip-action"
+#define TEXT "tooltip-text-alone"
+
+/* With the first key. */
+static void
+show_text (GtkWidget *button, const Action *action, const char *text)
 {
   const char *const *keys = keys_of (action);
-  GdkModifierType modifiers;
-  guint key;
+  g_autofree char *key = keys[0] == NULL ? NULL : keys_label (keys[0]);
+  g_autofree char *tooltip
+      = key == NULL ? g_strdup (text) : g_strdup_printf ("%s (%s)", text, key);
 
-  if (keys[0] == NULL)
-    return NULL;
-  gtk_accelerator_parse (keys[0], &key, &modifiers);
-  return key == 0 ? NULL : gtk_accelerator_get_label (key, modifiers);
+  gtk_widget_set_tooltip_text (button, tooltip);
+  g_object_set_data (G_OBJECT (button), ACTION, (gpointer)action);
+  g_object_set_data_full (G_OBJECT (button), TEXT, g_strdup (text), g_free);
 }
 
 void
 tooltips_set (GtkWidget *button, const char *name, const char *text)
 {
   const Action *action = action_find (name);
-  g_autofree char *key = NULL;
-  g_autofree char *tooltip = NULL;
 
   if (action == NULL)
     return;
   if (text == NULL)
     text = _ (action->sentence);
-  key = key_text (action);
-  tooltip
-      = key == NULL ? g_strdup (text) : g_strdup_printf ("%s (%s)", text, key);
-  gtk_widget_set_tooltip_text (button, tooltip);
+  show_text (button, action, text);
   atk_object_set_name (gtk_widget_get_accessible (button), text);
 }
 
@@ -56,4 +54,26 @@ void
 tooltips_add (GtkWidget *root)
 {
   add_one (root, NULL);
+}
+
+static void
+update_one (GtkWidget *widget, gpointer user)
+{
+  const Action *action = g_object_get_data (G_OBJECT (widget), ACTION);
+
+  (void)user;
+  if (GTK_IS_CONTAINER (widget))
+    gtk_container_forall (GTK_CONTAINER (widget), update_one, NULL);
+  if (action != NULL) {
+    g_autofree char *text
+        = g_strdup (g_object_get_data (G_OBJECT (widget), TEXT));
+
+    show_text (widget, action, text);
+  }
+}
+
+void
+tooltips_update (GtkWidget *root)
+{
+  update_one (root, NULL);
 }

@@ -14,6 +14,9 @@ void tooltips_add (GtkWidget *root);
 /* Says @text, or if NULL the sentence of the action, with its keys. */
 void tooltips_set (GtkWidget *button, const char *action, const char *text);
 
+/* Says all that was said below @root again, with the keys of now. */
+void tooltips_update (GtkWidget *root);
+
 G_END_DECLS
 
 #endif

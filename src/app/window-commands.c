@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "generate-dialog.h"
+#include "keys-dialog.h"
 #include "point-import.h"
 #include "shortcuts-window.h"
 
@@ -215,6 +216,14 @@ run_shortcuts (Hull2vdWindow *window)
   shortcuts_window_show (GTK_WINDOW (window));
 }
 
+static void
+run_change_keys (Hull2vdWindow *window)
+{
+  if (window->keys_dialog == NULL)
+    window->keys_dialog = keys_dialog_new (GTK_WINDOW (window));
+  gtk_window_present (GTK_WINDOW (window->keys_dialog));
+}
+
 typedef struct Command {
   const char *name;
   void (*run) (Hull2vdWindow *window);
@@ -260,6 +269,7 @@ static const Command dialogs[] = {
   { "storyboard", window_files_storyboard },
   { "handout", window_files_handout },
   { "export-results", window_progress_export },
+  { "change-keys", run_change_keys },
 };
 
 static const Command *

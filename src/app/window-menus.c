@@ -43,6 +43,7 @@ static const MenuRow main_rows[] = {
   { N_ ("_Forget Progress"), "clear-progress" },
   { NULL, "" },
   { N_ ("_Keyboard Shortcuts"), "shortcuts" },
+  { N_ ("Change Ke_ys…"), "change-keys" },
   { N_ ("_About Hull2VD"), "about" },
   { N_ ("_Quit"), "quit" },
   { NULL, NULL },

@@ -65,6 +65,7 @@ struct _Hull2vdWindow {
   GtkLabel *plane_hint, *space_hint, *plane_readout;
   CoordinateEntry *coordinate_entry;
   GtkWidget *generate_dialog;  /* NULL: not asked for yet */
+  GtkWidget *keys_dialog;      /* the same */
   RecordWindow *record_window; /* NULL: not asked for yet */
   SessionRecord *record;       /* NULL: nothing is recorded */
   GtkWidget *space_window;     /* NULL: space is in this window */
