@@ -14,6 +14,8 @@
 #define SPACE_ROOM 1.15
 #define LARGE_TEXT_PX 18.0
 
+#define BODY_INK 0.45 /* of the paraboloid's lines */
+
 #define FEW 24 /* so many that are lit are all shown, whatever they cover */
 #define NEAR_SQUARE 24 /* side, px: ink is looked for in such squares */
 
@@ -115,15 +117,19 @@ add_ink (const Drawing *drawing, const Stroke *stroke, LabelSheet *sheet)
 {
   const Pixel *pixels = &drawing->pixels[stroke->first];
   const Style *style = &drawing->styles[stroke->style];
+  double width = style->width * style->line.alpha;
   uint32_t i;
 
   if (stroke->kind == STROKE_MARK)
     label_sheet_mark (sheet, pixels[0], brush_mark_reach (style));
   if (stroke->kind != STROKE_LINE && stroke->kind != STROKE_CASING)
     return;
-  /* What shines through is as easily covered as what is thin. */
+  /* What shines through is as easily covered as what is thin, and so is what
+   * tells nothing but its form. */
+  if (stroke->place.item == INDEX_NONE)
+    width *= BODY_INK;
   for (i = 0; i + 1 < stroke->n; i++)
-    label_sheet_line (sheet, &pixels[i], style->width * style->line.alpha);
+    label_sheet_line (sheet, &pixels[i], width);
 }
 
 /* A power is told in the colour of its gap, or it would seem to name what it
