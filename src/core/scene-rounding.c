@@ -8,6 +8,8 @@
 
 /* Sign maps */
 
+#define NODE_ROOM 3 /* nodes round the current one, that its mark is seen */
+
 static Role
 sign_role (int sign)
 {
@@ -18,7 +20,7 @@ sign_role (int sign)
 
 /* The border of a column or row: the map fills the square -1 … 1. */
 static double
-border (uint32_t i)
+border (double i)
 {
   return 2.0 * i / SIGN_MAP_SIDE - 1;
 }
@@ -105,15 +107,16 @@ add_row (SceneBuilder *builder,
   }
 }
 
-/* An outline of the nodes from @low to before @high. */
+/* An outline of the nodes from @low to before @high, and so many more. */
 static void
 add_outline (SceneBuilder *builder,
              Role role,
              const uint32_t low[2],
-             const uint32_t high[2])
+             const uint32_t high[2],
+             double more)
 {
-  const double left = border (low[0]), right = border (high[0]);
-  const double bottom = border (low[1]), top = border (high[1]);
+  const double left = border (low[0] - more), right = border (high[0] + more);
+  const double bottom = border (low[1] - more), top = border (high[1] + more);
   const Point3 corners[5] = { { left, bottom, 0 },
                               { right, bottom, 0 },
                               { right, top, 0 },
@@ -146,9 +149,9 @@ scene_sign_map (Scene *scene,
   add_nodes (&builder, ROLE_SIGN_LEFT, all[0], all[1]);
   for (row = SIGN_MAP_SIDE; row-- > 0;)
     add_row (&builder, signs[row], row > 0 ? signs[row - 1] : NULL, row);
-  add_outline (&builder, ROLE_GROUND, all[0], all[1]);
+  add_outline (&builder, ROLE_GROUND, all[0], all[1], 0);
   add_outline (&builder, ROLE_SIGN_NODE, node,
-               (const uint32_t[2]){ node[0] + 1, node[1] + 1 });
+               (const uint32_t[2]){ node[0] + 1, node[1] + 1 }, NODE_ROOM);
   scene_light (&builder);
 }
 
