@@ -207,15 +207,31 @@ is_in_view (LegendPanel *panel, Role role)
   return FALSE;
 }
 
-/* What is selected is told of as long as there is something; what the pointer
- * is over speaks for itself. */
+/* A facet stays selected where it is not on the hull yet, or no longer. */
+static gboolean
+is_selection_shown (Session *session)
+{
+  const Object selection = session_get_look (session)->selection;
+  const Frame *frame = session_get_frame (session);
+
+  if (selection.kind != OBJECT_FACET || frame->trace->is_flat
+      || session_get_exhibit_kind (session) != EXHIBIT_LIFTS)
+    return selection.kind != OBJECT_NONE;
+  for (guint i = 0; i < frame->n_facets; i++)
+    if (frame->facets[i].facet == selection.number)
+      return TRUE;
+  return FALSE;
+}
+
+/* What is selected is told of as long as it is to be seen; what the pointer is
+ * over speaks for itself. */
 static gboolean
 is_told_of (LegendPanel *panel, Role role)
 {
   const ObjectKind selected = session_get_look (panel->session)->selection.kind;
 
   if (role == ROLE_LIT)
-    return selected != OBJECT_NONE;
+    return is_selection_shown (panel->session);
   if (role == ROLE_CIRCLE_SELECTED
       && (selected == OBJECT_NONE || selected == OBJECT_SITE))
     return FALSE;
