@@ -297,6 +297,7 @@ paint_answer (const Fixture *fixture,
   picture_init (&picture, PICTURE_PLANE, &frame);
   picture.width = picture.height = LOOK_SIDE;
   picture.theme = theme_get (theme);
+  picture.look.layers &= ~(uint32_t)LAYER_LABELS;
   picture.look.answers = answer;
   picture.look.n_answers = answer == NULL ? 0 : 1;
   picture_paint (&picture, &frame, cr);
@@ -347,6 +348,89 @@ test_missed_on_the_horizon (void)
   cairo_surface_destroy (diff);
 }
 
+/* Returns: how much of the ring round a site is in the colour of its role, 0 …
+ *          1, where it is @at and has this radius. */
+static double
+measure_ring (cairo_surface_t *surface, const double at[2], const Style *style)
+{
+  const Colour ink = style->line;
+  const int n = 90;
+  int k, n_inked = 0;
+
+  for (k = 0; k < n; k++) {
+    const double angle = 2 * G_PI * k / n;
+    const int x = (int)(at[0] + style->radius * cos (angle));
+    const int y = (int)(at[1] + style->radius * sin (angle));
+    const guchar *pixel = row_of (surface, y) + 4 * x;
+
+    n_inked += fabs (pixel[2] - 255 * ink.red) < 60
+               && fabs (pixel[1] - 255 * ink.green) < 60
+               && fabs (pixel[0] - 255 * ink.blue) < 60;
+  }
+  return (double)n_inked / n;
+}
+
+/* The middle of what differs. */
+static void
+find_change (cairo_surface_t *a, cairo_surface_t *b, double middle[2])
+{
+  double low[2] = { LOOK_SIDE, LOOK_SIDE }, high[2] = { 0, 0 };
+  int x, y;
+
+  for (y = 0; y < LOOK_SIDE; y++)
+    for (x = 0; x < LOOK_SIDE; x++)
+      if (memcmp (row_of (a, y) + 4 * x, row_of (b, y) + 4 * x, 3) != 0) {
+        low[0] = MIN (low[0], x), high[0] = MAX (high[0], x);
+        low[1] = MIN (low[1], y), high[1] = MAX (high[1], y);
+      }
+  middle[0] = (low[0] + high[0] + 1) / 2;
+  middle[1] = (low[1] + high[1] + 1) / 2;
+}
+
+static double
+ring_of (const Fixture *fixture,
+         ThemeKind theme,
+         AnswerKind kind,
+         Role role,
+         const double middle[2])
+{
+  const SceneAnswer answer = { { OBJECT_SITE, 0 }, kind, 0 };
+  const SceneItem item = { .role = role, .emphasis = EMPHASIS_NORMAL };
+  const Style style = theme_style (theme_get (theme), &item);
+  cairo_surface_t *out = paint_answer (fixture, theme, &answer);
+  const double part = measure_ring (out, middle, &style);
+
+  cairo_surface_destroy (out);
+  return part;
+}
+
+/* As the legend shows it, and the words say. */
+static void
+test_missed_site (void)
+{
+  g_autoptr (Fixture) fixture = fixture_load ("mixed8", ORDER_FURTHEST);
+  const SceneAnswer missed = { { OBJECT_SITE, 0 }, ANSWER_MISSED, 0 };
+
+  for (int theme = 0; theme < N_THEMES; theme++) {
+    cairo_surface_t *without = paint_answer (fixture, theme, NULL);
+    cairo_surface_t *with = paint_answer (fixture, theme, &missed);
+    double middle[2], dots, dashes;
+
+    find_change (without, with, middle);
+    dots = ring_of (fixture, theme, ANSWER_MISSED, ROLE_ANSWER_MISSED, middle);
+    dashes = ring_of (fixture, theme, ANSWER_WRONG, ROLE_ANSWER_WRONG, middle);
+    g_assert_cmpfloat (
+        ring_of (fixture, theme, ANSWER_RIGHT, ROLE_ANSWER_RIGHT, middle), >,
+        0.8);
+    g_assert_cmpfloat (dots, >, 0.2);
+    g_assert_cmpfloat (dots, <, 0.7);
+    g_assert_cmpfloat (dashes, >, 0.3);
+    g_assert_cmpfloat (dashes, <, 0.8);
+    cairo_surface_destroy (with);
+    cairo_surface_destroy (without);
+  }
+}
+
 /* Every role leaves ink in its legend's sample. */
 static void
 test_swatches (void)
@@ -376,6 +460,9 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
+  g_test_add_func ("/painter/a-missed-site-has-a-ring-of-dots-a-wrong-one-of-"
+                   "dashes",
+                   test_missed_site);
   g_test_add_func ("/painter/the-plane-looks-as-it-was-seen", test_plane);
   g_test_add_func ("/painter/space-looks-as-it-was-seen", test_space);
   g_test_add_func ("/painter/the-comparison-tells-phases-apart", test_compare);

@@ -132,6 +132,9 @@ void painter_trace (Painter *painter,
                     StrokeKind kind,
                     uint32_t style);
 
+/* Adds the mark of an item. */
+void painter_add_mark (Painter *painter, const SceneItem *item);
+
 /* Sketches (painter-sketch.c). Adds an item as bare shapes.
  *
  * Returns: false when strokes are to be made of it. */

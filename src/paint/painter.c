@@ -154,27 +154,6 @@ add_path (Painter *painter, const SceneItem *item)
 }
 
 static void
-add_mark (Painter *painter, const SceneItem *item)
-{
-  const uint32_t style = painter_number_style (painter, item);
-  const Style *look = &painter->drawing->styles[style];
-  Pixel at;
-
-  if (style_is_unseen (look, item)
-      || !clip_point (painter->projection, painter->scene->points[item->first],
-                      &at)
-      || at.x < -PAINTER_MARGIN || at.y < -PAINTER_MARGIN
-      || at.x > painter->projection->width + PAINTER_MARGIN
-      || at.y > painter->projection->height + PAINTER_MARGIN)
-    return;
-  if (painter_sketch_mark (painter, item, look, at))
-    return;
-  stroke_begin (painter->drawing, STROKE_MARK, style);
-  stroke_add (painter->drawing, at);
-  stroke_end (painter->drawing);
-}
-
-static void
 add_item (Painter *painter, const SceneItem *item)
 {
   if (painter_has_none (painter, item)
@@ -185,7 +164,7 @@ add_item (Painter *painter, const SceneItem *item)
   else if (item->shape == SHAPE_PATH)
     add_path (painter, item);
   else
-    add_mark (painter, item);
+    painter_add_mark (painter, item);
   painter_note_new (painter);
 }
 
