@@ -155,6 +155,42 @@ test_fewer_colours (void)
   sight_for_each_theme (check_fewer_colours);
 }
 
+/* What a person has selected, the facet that QuickHull has and the edges of
+ * the diagram lie side by side; so do the cone and the horizon, all of them
+ * lines without dashes. */
+static void
+check_solid_lines (const Theme *theme)
+{
+  const Colour edge = sight_style (theme, ROLE_DELAUNAY_EDGE).line;
+  const Colour in_hand = sight_style (theme, ROLE_SELECTED_FACET).line;
+  const Colour horizon = sight_style (theme, ROLE_HORIZON).line;
+  const Colour cone = sight_style (theme, ROLE_CONE_EDGE).line;
+  guint i;
+
+  if (theme == theme_get (THEME_PRINT))
+    return;
+  for (i = 0; i < G_N_ELEMENTS (sight_visions); i++) {
+    const double *vision = sight_visions[i];
+    const char *name = sight_vision_names[i];
+
+    if (sight_distance (theme->selected_facet, edge, vision) < COLOUR_APART)
+      sight_fault (theme, "selected", ROLE_DELAUNAY_EDGE, name, 0);
+    /* One of these is wider, too. */
+    if (sight_distance (theme->selected_facet, in_hand, vision)
+        < 0.5 * COLOUR_APART)
+      sight_fault (theme, "selected", ROLE_SELECTED_FACET, name,
+                   sight_distance (theme->selected_facet, in_hand, vision));
+    if (sight_distance (cone, horizon, vision) < 2 * COLOUR_APART)
+      sight_fault (theme, "cone", ROLE_HORIZON, name, 0);
+  }
+}
+
+static void
+test_solid_lines (void)
+{
+  sight_for_each_theme (check_solid_lines);
+}
+
 /* The hue of a cell differs from that of the next sites. */
 static void
 test_hues (void)
@@ -183,5 +219,7 @@ main (int argc, char **argv)
   g_test_add_func ("/theme-roles/roles-differ-for-eyes-with-fewer-cones",
                    test_fewer_colours);
   g_test_add_func ("/theme-roles/the-next-site-has-another-hue", test_hues);
+  g_test_add_func ("/theme-roles/solid-lines-side-by-side-differ-to-all-eyes",
+                   test_solid_lines);
   return g_test_run ();
 }
