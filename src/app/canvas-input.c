@@ -89,7 +89,8 @@ begin_dragging (Canvas *canvas, GtkGesture *gesture)
   if (!is_pan (&input->press)
       && get_class (canvas)->drag_begin (canvas, &input->press))
     input->mode = DRAG_OBJECT;
-  canvas_set_moving (canvas, TRUE);
+  if (input->mode != DRAG_GIVEN_UP)
+    canvas_set_moving (canvas, TRUE);
 }
 
 static void
@@ -110,7 +111,7 @@ on_drag_update (GtkGesture *gesture, double dx, double dy, Canvas *canvas)
   }
   if (input->mode == DRAG_PAN)
     get_class (canvas)->pan (canvas, by_px);
-  else
+  else if (input->mode == DRAG_OBJECT)
     get_class (canvas)->drag (canvas, input->last_px, to_px);
   input->last_px[0] = to_px[0];
   input->last_px[1] = to_px[1];
@@ -130,6 +131,22 @@ finish_dragging (Canvas *canvas)
     canvas_set_moving (canvas, FALSE);
 }
 
+/* While a question is open, a click is an answer; one that is none and would
+ * add a site is refused in words. */
+static void
+click_for_question (Canvas *canvas, const CanvasInput *input)
+{
+  const CanvasPress *press = &input->press;
+  const gboolean is_answer = session_is_answering (canvas_get_session (canvas))
+                             && press->object.kind != OBJECT_NONE;
+
+  if (!is_answer && get_class (canvas)->click_adds != NULL
+      && get_class (canvas)->click_adds (canvas, press, input->n_presses)
+      && site_edit_refuse (canvas))
+    return;
+  canvas_answer (canvas, press->object);
+}
+
 static void
 on_drag_end (GtkGesture *gesture, double dx, double dy, Canvas *canvas)
 {
@@ -139,7 +156,7 @@ on_drag_end (GtkGesture *gesture, double dx, double dy, Canvas *canvas)
   (void)dx;
   (void)dy;
   if (input->is_click && session_is_asking (canvas_get_session (canvas)))
-    canvas_answer (canvas, input->press.object);
+    click_for_question (canvas, input);
   else if (input->is_click && input->n_presses == 2)
     get_class (canvas)->double_click (canvas, &input->press);
   else if (input->is_click)

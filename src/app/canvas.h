@@ -39,7 +39,11 @@ struct _CanvasClass {
   void (*pan) (Canvas *canvas, const double by_px[2]);
   void (*click) (Canvas *canvas, const CanvasPress *press);
   void (*double_click) (Canvas *canvas, const CanvasPress *press);
-  /* Returns: FALSE: nothing to drag here, so the view pans. */
+  /* Whether so many clicks in quick succession would add a site; NULL: never.
+   */
+  gboolean (*click_adds) (Canvas *canvas, const CanvasPress *press, int n);
+  /* Returns: FALSE: nothing to drag here, so the view pans, or nothing moves
+   *          when it has said why not and given up. */
   gboolean (*drag_begin) (Canvas *canvas, const CanvasPress *press);
   void (*drag) (Canvas *canvas, const double from_px[2], const double to_px[2]);
   void (*drag_end) (Canvas *canvas);

@@ -1,6 +1,7 @@
 #include "plane-view.h"
 
 #include "answer-objects.h"
+#include "canvas-input.h"
 #include "canvas-keys.h"
 #include "canvas-menu.h"
 #include "hold-insert.h"
@@ -118,22 +119,39 @@ select_or_release (Canvas *canvas, Object object)
   session_set_selection (session, object);
 }
 
+/* A cell means the plane here, not its site. */
+static gboolean
+is_empty (const CanvasPress *press)
+{
+  return press->object.kind == OBJECT_NONE || press->object.kind == OBJECT_SITE;
+}
+
+/* Inside triangles, where a click selects, two add a site. */
+static gboolean
+plane_view_click_adds (Canvas *canvas, const CanvasPress *press, int n)
+{
+  const gboolean is_paper = HULL2VD_PLANE_VIEW (canvas)->has_paper_bindings;
+  double grip_px[2];
+
+  if (sign_input_is_on (canvas))
+    return FALSE;
+  if (press->button != GDK_BUTTON_PRIMARY)
+    return is_paper && press->button == GDK_BUTTON_SECONDARY;
+  return !is_paper && !is_on_site (canvas, press, grip_px)
+         && (n == 2 || is_empty (press)
+             || (press->modifiers & GDK_CONTROL_MASK) != 0);
+}
+
 /* A click that is on no site. */
 static void
 click_plane (Canvas *canvas, const CanvasPress *press)
 {
-  const gboolean is_empty
-      = press->object.kind == OBJECT_NONE || press->object.kind == OBJECT_SITE;
-  const gboolean adds
-      = !HULL2VD_PLANE_VIEW (canvas)->has_paper_bindings
-        && (is_empty || (press->modifiers & GDK_CONTROL_MASK) != 0);
-
-  if (adds) {
+  if (plane_view_click_adds (canvas, press, 1)) {
     site_edit_add (canvas, point_at (canvas, press->at_px));
     return;
   }
   canvas_set_cursor (canvas, (Object){ OBJECT_NONE, 0 });
-  if (is_empty)
+  if (is_empty (press))
     session_set_selection (canvas_get_session (canvas),
                            (Object){ OBJECT_NONE, 0 });
   else
@@ -166,7 +184,6 @@ click_secondary (Canvas *canvas, const CanvasPress *press)
     site_edit_add (canvas, point_at (canvas, press->at_px));
     return;
   }
-  /* A cell means the plane here, not its site. */
   if (press->object.kind == OBJECT_SITE && !is_on_site (canvas, press, grip_px))
     on_mark.object = (Object){ OBJECT_NONE, 0 };
   canvas_menu_popup (canvas, on_mark.object, press->at_px);
@@ -185,7 +202,6 @@ plane_view_click (Canvas *canvas, const CanvasPress *press)
     click_secondary (canvas, press);
 }
 
-/* Inside triangles, where a click selects, two add a site. */
 static void
 plane_view_double_click (Canvas *canvas, const CanvasPress *press)
 {
@@ -205,7 +221,12 @@ plane_view_drag_begin (Canvas *canvas, const CanvasPress *press)
   PlaneView *view = HULL2VD_PLANE_VIEW (canvas);
   Session *session = canvas_get_session (canvas);
 
-  if (session_is_asking (session) || sign_input_is_on (canvas))
+  if (session_is_asking (session)) {
+    if (is_on_site (canvas, press, view->grip_px) && site_edit_refuse (canvas))
+      canvas_input_give_up (canvas);
+    return FALSE;
+  }
+  if (sign_input_is_on (canvas))
     return FALSE;
   view->is_banding = (press->modifiers & GDK_CONTROL_MASK) != 0;
   for (int corner = 0; corner < 2; corner++)
@@ -448,6 +469,7 @@ plane_view_class_init (PlaneViewClass *class)
   canvas_class->pan = plane_view_pan;
   canvas_class->click = plane_view_click;
   canvas_class->double_click = plane_view_double_click;
+  canvas_class->click_adds = plane_view_click_adds;
   canvas_class->drag_begin = plane_view_drag_begin;
   canvas_class->drag = plane_view_drag;
   canvas_class->drag_end = plane_view_drag_end;

@@ -12,17 +12,23 @@ site_edit_at (Session *session, Point3 point)
   return session_snap (session, scene_site (session_get_look (session), point));
 }
 
-/* Says why not. In a performance all that is pressed is an answer. */
+gboolean
+site_edit_refuse (Canvas *canvas)
+{
+  g_autoptr (GError) error = NULL;
+
+  if (session_can_edit (canvas_get_session (canvas), &error))
+    return FALSE;
+  canvas_fail (canvas, error);
+  return TRUE;
+}
+
+/* In a performance all that is pressed is an answer. */
 static gboolean
 can_edit (Canvas *canvas)
 {
-  Session *session = canvas_get_session (canvas);
-  g_autoptr (GError) error = NULL;
-
-  if (session_can_edit (session, &error))
-    return !session_is_asking (session);
-  canvas_fail (canvas, error);
-  return FALSE;
+  return !site_edit_refuse (canvas)
+         && !session_is_asking (canvas_get_session (canvas));
 }
 
 void

@@ -11,6 +11,11 @@ G_BEGIN_DECLS
  *          plane scene. */
 Site site_edit_at (Session *session, Point3 point);
 
+/* Says why sites cannot be changed now.
+ *
+ * Returns: FALSE: they can, or all that is pressed is an answer. */
+gboolean site_edit_refuse (Canvas *canvas);
+
 /* Adds a site there, and goes to it. */
 void site_edit_add (Canvas *canvas, Point3 point);
 
