@@ -13,6 +13,7 @@ typedef struct Maker {
   const Voronoi *voronoi;
   Site at, drawn_at;
   bool *is_neighbour; /* per site */
+  bool *is_seen;      /* per triangle: it is known to die */
 } Maker;
 
 static bool
@@ -32,26 +33,105 @@ is_taken (const Maker *maker)
 
 /* Corners of triangles turn left, so that the lower side of their lifts is
  * seen from behind: inside is where lift_orient() is negative. */
+static bool
+is_dying (const Maker *maker, uint32_t triangle)
+{
+  const uint32_t *site = maker->delaunay->triangles[triangle].site;
+  const Site *sites = maker->set->sites;
+
+  return lift_orient (&sites[site[0]], &sites[site[1]], &sites[site[2]],
+                      &maker->at)
+         < 0;
+}
+
 static void
-find_dying (Maker *maker)
+add_dying (Maker *maker, uint32_t triangle)
+{
+  const uint32_t *site = maker->delaunay->triangles[triangle].site;
+  Preview *preview = maker->preview;
+  int k;
+
+  if (preview->n_dying == preview->dying_room)
+    preview->dying = memory_grow (preview->dying, &preview->dying_room,
+                                  preview->n_dying + 1, sizeof *preview->dying);
+  preview->dying[preview->n_dying++] = triangle;
+  maker->is_seen[triangle] = true;
+  for (k = 0; k < 3; k++)
+    maker->is_neighbour[site[k]] = true;
+}
+
+/* Returns: a triangle that the site lies in, by walking towards it; or
+ *          INDEX_NONE when it lies outside all. No such walk runs in a circle
+ *          in a Delaunay triangulation. */
+static uint32_t
+find_triangle (const Maker *maker)
 {
   const Delaunay *delaunay = maker->delaunay;
   const Site *sites = maker->set->sites;
-  Preview *preview = maker->preview;
-  uint32_t i, k;
+  uint32_t here = delaunay->n_triangles > 0 ? 0 : INDEX_NONE;
+  int k = 0;
 
-  preview->dying = memory_new (delaunay->n_triangles, sizeof (uint32_t));
-  for (i = 0; i < delaunay->n_triangles; i++) {
-    const uint32_t *site = delaunay->triangles[i].site;
+  while (here != INDEX_NONE && k < 3) {
+    const Triangle *triangle = &delaunay->triangles[here];
+    const Site *tail = &sites[triangle->site[k]];
+    const Site *head = &sites[triangle->site[(k + 1) % 3]];
 
-    if (lift_orient (&sites[site[0]], &sites[site[1]], &sites[site[2]],
-                     &maker->at)
-        >= 0)
-      continue;
-    preview->dying[preview->n_dying++] = i;
-    for (k = 0; k < 3; k++)
-      maker->is_neighbour[site[k]] = true;
+    if (orient (tail, head, &maker->at) < 0) {
+      here = triangle->neighbour[k];
+      k = 0;
+    } else {
+      k++;
+    }
   }
+  return here;
+}
+
+static int
+compare_numbers (const void *a, const void *b)
+{
+  const uint32_t *p = a, *q = b;
+
+  return (*p > *q) - (*p < *q);
+}
+
+/* Between a triangle that would die and the site all would die: they are found
+ * by going from neighbour to neighbour. */
+static void
+spread_dying (Maker *maker, uint32_t first)
+{
+  Preview *preview = maker->preview;
+  uint32_t i;
+  int k;
+
+  add_dying (maker, first);
+  for (i = 0; i < preview->n_dying; i++) {
+    const Triangle *triangle = &maker->delaunay->triangles[preview->dying[i]];
+
+    for (k = 0; k < 3; k++)
+      if (triangle->neighbour[k] != INDEX_NONE
+          && !maker->is_seen[triangle->neighbour[k]]
+          && is_dying (maker, triangle->neighbour[k]))
+        add_dying (maker, triangle->neighbour[k]);
+  }
+  qsort (preview->dying, preview->n_dying, sizeof *preview->dying,
+         compare_numbers);
+}
+
+/* From outside, those that would die need not be neighbours. */
+static void
+find_dying (Maker *maker)
+{
+  const uint32_t first = find_triangle (maker);
+  uint32_t i;
+
+  maker->is_seen
+      = memory_new (maker->delaunay->n_triangles, sizeof *maker->is_seen);
+  if (first != INDEX_NONE)
+    spread_dying (maker, first);
+  for (i = 0; first == INDEX_NONE && i < maker->delaunay->n_triangles; i++)
+    if (is_dying (maker, i))
+      add_dying (maker, i);
+  free (maker->is_seen);
 }
 
 /* From outside, the sites of the hull edges that are seen. */

@@ -14,8 +14,9 @@ typedef struct PreviewPiece {
 } PreviewPiece;
 
 typedef struct Preview {
-  uint32_t *dying; /* triangles whose circles strictly contain the site */
-  uint32_t n_dying;
+  uint32_t *dying; /* triangles whose circles strictly contain the site,
+                      ascending */
+  uint32_t n_dying, dying_room;
   uint32_t *neighbours; /* its neighbours in the triangulation to be; on a
                            line or without triangles: all sites */
   uint32_t n_neighbours;
@@ -31,7 +32,8 @@ typedef struct Preview {
  * pieces are in the units of @voronoi, where it is at @drawn_at, clipped to
  * @box. All is empty when a site is there already, or none can be.
  *
- * Cost: O(n) signs, and the cells of the neighbours.
+ * Cost: within the triangulation some sqrt(n) signs on the way there, and
+ *       O(neighbours); from outside O(n) signs.
  */
 void preview_init (Preview *preview,
                    const SiteSet *set,
