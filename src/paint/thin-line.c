@@ -3,6 +3,10 @@
 #include <math.h>
 #include <stddef.h>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 /* Places across are counted in such parts of a pixel. */
 #define PART_BITS 12
 #define PARTS (1 << PART_BITS)
@@ -55,6 +59,13 @@ dash_part (const ThinLine *line, float from, float to)
   return high > low ? sum / (high - low) : 0;
 }
 
+/* Returns: parts of a pixel in 256ths. */
+static inline int
+in_256 (int parts)
+{
+  return (parts + PARTS / 512) >> (PART_BITS - 8);
+}
+
 /* Paints a column from @low on, in parts; @part of 256 of it is line. */
 static void
 paint_column (const ThinLine *line, int column, int low, int part)
@@ -71,7 +82,7 @@ paint_column (const ThinLine *line, int column, int low, int part)
     const int above = row * PARTS, below = above + PARTS;
     const int top = above > low ? above : low;
     const int bottom = below < high ? below : high;
-    const int k = ((bottom - top) * part + PARTS / 2) >> PART_BITS;
+    const int k = (in_256 (bottom - top) * part + 128) >> 8;
 
     *pixel = pixel_over (*pixel, pixel_scale (line->colour, (uint32_t)k));
   }
@@ -93,6 +104,63 @@ paint_piece (const ThinLine *line, int column)
                   (int)(part * (to - from) * 256 + 0.5F));
 }
 
+#ifdef __SSE2__
+/* Lays @first of 256 of a colour over one pixel and @second of it over another:
+ * pixel_over() of both at once. @colour has a channel in each 16 bits, twice.
+ */
+static inline void
+paint_two (uint32_t *pixels[2], __m128i colour, int first, int second)
+{
+  const __m128i zero = _mm_setzero_si128 (), half = _mm_set1_epi16 (0x80);
+  const __m128i both = _mm_unpacklo_epi32 (_mm_cvtsi32_si128 ((int)*pixels[0]),
+                                           _mm_cvtsi32_si128 ((int)*pixels[1]));
+  const __m128i parts = _mm_unpacklo_epi64 (
+      _mm_shufflelo_epi16 (_mm_cvtsi32_si128 (first), 0),
+      _mm_shufflelo_epi16 (_mm_cvtsi32_si128 (second), 0));
+  const __m128i over = _mm_srli_epi16 (
+      _mm_add_epi16 (_mm_mullo_epi16 (colour, parts), half), 8);
+  const __m128i alpha
+      = _mm_shufflehi_epi16 (_mm_shufflelo_epi16 (over, 0xff), 0xff);
+  const __m128i rest = _mm_sub_epi16 (
+      _mm_sub_epi16 (_mm_set1_epi16 (256), alpha), _mm_srli_epi16 (alpha, 7));
+  const __m128i under = _mm_mullo_epi16 (_mm_unpacklo_epi8 (both, zero), rest);
+  const __m128i sum
+      = _mm_add_epi16 (_mm_srli_epi16 (_mm_add_epi16 (under, half), 8), over);
+  const __m128i two = _mm_packus_epi16 (sum, zero);
+
+  *pixels[0] = (uint32_t)_mm_cvtsi128_si32 (two);
+  *pixels[1] = (uint32_t)_mm_cvtsi128_si32 (_mm_srli_si128 (two, 4));
+}
+
+/* Paints columns that are all line, of a line no wider than a pixel: it lies
+ * in two rows, or in one of them. Which is hard to guess, so both are painted.
+ */
+static void
+paint_hairline (const ThinLine *line, int from, int end)
+{
+  const __m128i channels = _mm_unpacklo_epi8 (
+      _mm_set1_epi32 ((int)line->colour), _mm_setzero_si128 ());
+  const int half = line->width / 2;
+  int64_t middle = line->middle + from * line->step;
+  int i;
+
+  for (i = from; i < end; i++, middle += line->step) {
+    const int low = (int)(middle >> (STEP_BITS - PART_BITS)) - half;
+    const int row = low >> PART_BITS;
+    const int below = PARTS - (low & (PARTS - 1));
+    const int first = below < line->width ? below : line->width;
+    uint32_t *const pixel = line->grid->pixels + (ptrdiff_t)i * line->along
+                            + (ptrdiff_t)row * line->across;
+
+    if (row < line->low || row + 1 >= line->high)
+      paint_column (line, i, low, 256);
+    else
+      paint_two ((uint32_t *[2]){ pixel, pixel + line->across }, channels,
+                 in_256 (first), in_256 (line->width - first));
+  }
+}
+#endif
+
 /* Paints columns that are all line. */
 static void
 paint_whole (const ThinLine *line, int from, int end)
@@ -101,6 +169,12 @@ paint_whole (const ThinLine *line, int from, int end)
   int64_t middle = line->middle + from * line->step;
   int i;
 
+#ifdef __SSE2__
+  if (line->width <= PARTS) {
+    paint_hairline (line, from, end);
+    return;
+  }
+#endif
   for (i = from; i < end; i++, middle += line->step)
     paint_column (line, i, (int)(middle >> (STEP_BITS - PART_BITS)) - half,
                   256);
