@@ -234,17 +234,23 @@ is_crowd (const Drawing *drawing)
   return drawing->size < CROWDED;
 }
 
-/* Adds the ink of what is loud alone. */
+/* Adds the ink of what is loud alone, near the labels. */
 static void
-add_loud_ink (LabelSheet *sheet, const Drawing *drawing, const Scene *scene)
+add_loud_ink (LabelSheet *sheet,
+              const Drawing *drawing,
+              const Scene *scene,
+              const GArray *labels)
 {
+  const PixelBox area = area_of (labels);
   uint32_t i;
 
   for (i = 0; i < drawing->n_strokes; i++) {
-    const uint32_t item = drawing->strokes[i].place.item;
+    const Stroke *stroke = &drawing->strokes[i];
+    const uint32_t item = stroke->place.item;
 
-    if (item != INDEX_NONE && scene->items[item].emphasis == EMPHASIS_LOUD)
-      add_ink (drawing, &drawing->strokes[i], sheet);
+    if (item != INDEX_NONE && boxes_meet (&stroke->box, &area)
+        && scene->items[item].emphasis == EMPHASIS_LOUD)
+      add_ink (drawing, stroke, sheet);
   }
 }
 
@@ -273,7 +279,7 @@ place_in_stock (Painter *painter, const Wanted *wanted)
   LabelSheet *sheet = sheet_new (drawing, labels);
 
   if (is_crowd (drawing))
-    add_loud_ink (sheet, drawing, painter->scene);
+    add_loud_ink (sheet, drawing, painter->scene, labels);
   else {
     add_ink_near (sheet, drawing, labels);
     add_feet (painter, sheet);
