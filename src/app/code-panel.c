@@ -6,7 +6,9 @@
 #include "scroll-to.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
+#define ARROW " ← "
 #define INDENT_PX 16
 #define ROW_PX 22 /* about one line is seen above and below the current one */
 
@@ -40,18 +42,50 @@ mark (CodePanel *panel, guint line, gboolean is_current)
   atk_object_set_description (accessible, is_current ? _ ("current line") : "");
 }
 
-static void
-add_line (CodePanel *panel, const PseudocodeLine *line)
+/* What the rest of a line hangs behind where it takes several rows.
+ *
+ * Returns: how many bytes are its number, "7: ", or what it sets, "V ← ". */
+static gsize
+marker_length (const char *text)
 {
-  GtkWidget *row = gtk_list_box_row_new ();
-  GtkWidget *label = gtk_label_new (_ (line->text));
+  const char *arrow = g_utf8_next_char (text);
+  const gsize n_digits = strspn (text, "0123456789");
+
+  if (g_str_has_prefix (arrow, ARROW))
+    return (gsize)(arrow - text) + strlen (ARROW);
+  return n_digits > 0 && g_str_has_prefix (text + n_digits, ": ")
+             ? n_digits + strlen (": ")
+             : 0;
+}
+
+static void
+add_part (GtkBox *box, const char *text)
+{
+  GtkWidget *label = gtk_label_new (text);
 
   gtk_label_set_xalign (GTK_LABEL (label), 0);
   gtk_label_set_line_wrap (GTK_LABEL (label), TRUE);
-  gtk_container_add (GTK_CONTAINER (row), label);
+  gtk_widget_set_valign (label, GTK_ALIGN_START);
+  gtk_box_pack_start (box, label, FALSE, FALSE, 0);
+}
+
+static void
+add_line (CodePanel *panel, const PseudocodeLine *line)
+{
+  const char *text = _ (line->text);
+  g_autofree char *marker = g_strndup (text, marker_length (text));
+  GtkWidget *row = gtk_list_box_row_new ();
+  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
+
+  if (*marker != '\0')
+    add_part (GTK_BOX (box), marker);
+  add_part (GTK_BOX (box), text + strlen (marker));
+  gtk_widget_set_valign (box, GTK_ALIGN_CENTER);
+  gtk_container_add (GTK_CONTAINER (row), box);
+  atk_object_set_name (gtk_widget_get_accessible (row), text);
   /* Which side the start is on is asked when it is set. */
   direction_keep (row);
-  gtk_widget_set_margin_start (label, INDENT_PX * line->indent);
+  gtk_widget_set_margin_start (box, INDENT_PX * line->indent);
   gtk_list_box_row_set_activatable (GTK_LIST_BOX_ROW (row), FALSE);
   gtk_widget_set_can_focus (row, FALSE);
   gtk_widget_show_all (row);
