@@ -35,9 +35,9 @@
 #define COST_LIMIT 1400
 #define COST_LABEL 4000
 
-/* A name that is nearer to the mark of another would seem to be its name: worse
- * than to cover a line or two, but not a heavy one. */
-#define COST_MISTAKEN 110
+/* A name that is nearer to the mark of another would seem to be its name: it is
+ * left out, and where that must not be it rather covers some lines. */
+#define COST_MISTAKEN 220
 #define COST_DOUBTFUL 40
 #define DOUBTFUL_PX 3.0 /* hardly nearer to its own mark */
 
@@ -355,7 +355,7 @@ cost_of_mistake (const LabelSheet *sheet, const Label *label, Pixel low)
     const double other = distance_to (label, low, rival->at, rival->reach);
 
     if (other < own)
-      return COST_MISTAKEN;
+      return label->is_important ? COST_MISTAKEN : COST_LIMIT;
     if (other < own + DOUBTFUL_PX)
       cost = COST_DOUBTFUL;
   }

@@ -14,6 +14,11 @@
  * they meet. */
 #define ROOMY_PX 32.0
 #define FACTOR_MOST 2.0
+
+/* How much is seen of the square that the sites lie in: in space they are
+ * lifted, and stand before each other. The same from wherever one looks, so
+ * that nothing grows or goes while space is turned. */
+#define PART_SEEN 0.6
 #define SIZE_LEAST 0.25
 
 /* A scene of so many items may be drawn as a sketch. With fewer of them each
@@ -293,17 +298,6 @@ add_stock (Painter *painter)
   painter->depths = NULL;
 }
 
-/* How much is seen of the square that the sites lie in: in space they are
- * lifted, and stand before each other. */
-static double
-part_seen (const Painter *painter)
-{
-  const Point3 middle = { 0, 0, 0 };
-  const Point3 to_eye = projection_to_eye (painter->projection, middle);
-
-  return painter->scene->is_space ? 0.5 + 0.5 * to_eye.z * to_eye.z : 1;
-}
-
 double
 painter_room (const Painter *painter)
 {
@@ -311,8 +305,9 @@ painter_room (const Painter *painter)
   const double side
       = hypot (hypot (m[0], m[4]), m[8]) * painter->projection->width;
   const uint32_t n_sites = painter->scene->stock.n_sites;
+  const double part = painter->scene->is_space ? PART_SEEN : 1;
 
-  return side * sqrt (part_seen (painter) / MAX (n_sites, 1));
+  return side * sqrt (part / MAX (n_sites, 1));
 }
 
 /* How large marks and lines may be, that one can still tell them apart where
