@@ -182,13 +182,17 @@ on_info_response (GtkInfoBar *bar, int response, gpointer user)
 
 /* Keys */
 
+static gboolean
+presses_button (GtkWidget *focus, const GdkEventKey *event)
+{
+  return GTK_IS_BUTTON (focus)
+         && (event->keyval == GDK_KEY_space || event->keyval == GDK_KEY_Return
+             || event->keyval == GDK_KEY_KP_Enter);
+}
+
 gboolean
 hull2vd_window_focus_wants_key (GtkWidget *focus, const GdkEventKey *event)
 {
-  const gboolean is_press = event->keyval == GDK_KEY_space
-                            || event->keyval == GDK_KEY_Return
-                            || event->keyval == GDK_KEY_KP_Enter;
-
   if (focus == NULL)
     return FALSE;
   if (GTK_IS_EDITABLE (focus)
@@ -196,7 +200,21 @@ hull2vd_window_focus_wants_key (GtkWidget *focus, const GdkEventKey *event)
     return TRUE;
   if (HULL2VD_IS_CANVAS (focus))
     return canvas_wants_key (HULL2VD_CANVAS (focus), event);
-  return GTK_IS_BUTTON (focus) && is_press;
+  return presses_button (focus, event);
+}
+
+/* Buttons have no keys of their own: it is their window that presses them, but
+ * not before it has looked for an action that has the key. */
+static gboolean
+give_to_focus (GtkWindow *window, GdkEventKey *event)
+{
+  GtkWidget *focus = gtk_window_get_focus (window);
+
+  if (!hull2vd_window_focus_wants_key (focus, event))
+    return FALSE;
+  return gtk_window_propagate_key_event (window, event)
+         || (presses_button (focus, event)
+             && gtk_window_activate_focus (window));
 }
 
 gboolean
@@ -204,10 +222,7 @@ hull2vd_window_forward_key (Hull2vdWindow *window,
                             GtkWindow *other,
                             GdkEventKey *event)
 {
-  return window_cover_key (window, event)
-         || (hull2vd_window_focus_wants_key (gtk_window_get_focus (other),
-                                             event)
-             && gtk_window_propagate_key_event (other, event))
+  return window_cover_key (window, event) || give_to_focus (other, event)
          || gtk_window_activate_key (GTK_WINDOW (window), event);
 }
 
@@ -221,8 +236,7 @@ hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
     return TRUE;
   if (event->keyval == GDK_KEY_Escape && session_give_up (session))
     return TRUE;
-  if (hull2vd_window_focus_wants_key (gtk_window_get_focus (window), event)
-      && gtk_window_propagate_key_event (window, event))
+  if (give_to_focus (window, event))
     return TRUE;
   if (GTK_WIDGET_CLASS (hull2vd_window_parent_class)
           ->key_press_event (widget, event))
