@@ -24,6 +24,21 @@ assert_finite (const Scene *scene, const char *name, uint32_t step)
                role_of_point (scene, i));
 }
 
+/* No line comes after that round the plane: its casing would cut it. */
+static void
+assert_whole_frame (const Scene *scene)
+{
+  bool has_frame = false;
+  guint i;
+
+  for (i = 0; i < scene->stock.n_items; i++)
+    if (scene->items[i].role == ROLE_GROUND)
+      has_frame = true;
+    else if (has_frame && scene->items[i].pass == PASS_GROUND)
+      g_assert_cmpint (scene->items[i].shape, !=, SHAPE_PATH);
+  g_assert_true (has_frame);
+}
+
 /* Every scene of a trace, of few steps where it is long. */
 static void
 check_scenes (const Fixture *fixture)
@@ -44,6 +59,7 @@ check_scenes (const Fixture *fixture)
     look.layers = (1U << N_LAYERS) - 1;
     scene_plane (&scene, &frame, &look);
     assert_finite (&scene, fixture->name, step);
+    assert_whole_frame (&scene);
     scene_space (&scene, &frame, &look);
     assert_finite (&scene, fixture->name, step);
     g_assert_true (frame_hash (&frame) == hash);

@@ -71,7 +71,6 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
     scene_add_tangents (&builder, diagram);
   scene_add_furthest_cells (&builder, box);
   scene_add_contours (&builder, box);
-  scene_add_frame (&builder);
   scene_add_triangles (&builder);
   if (scene_has_layer (&builder, LAYER_VORONOI))
     scene_add_voronoi_edges (diagram);
@@ -83,6 +82,7 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_cone_edges (&builder, false);
   scene_add_selected_facet (&builder, false);
   scene_add_horizon (&builder, false);
+  scene_add_frame (&builder); /* the casings of others would cut it */
   builder.pass = PASS_MARKS;
   scene_add_voronoi_vertices (diagram);
   add_sites (&builder);
