@@ -182,6 +182,21 @@ test_a1_loses_a_clear_corner (void)
   site_set_free (set);
 }
 
+static void
+test_a2_is_told_in_the_singular (void)
+{
+  SiteSet *set = load ("kettner-a2");
+  RoundedHull hull;
+  char text[NARRATION_ROOM];
+
+  rounded_hull_init (&hull, set, 2);
+  g_assert_cmpuint (hull.steps[hull.n_steps - 1].n_seen, ==, 1);
+  rounded_narration_write (&hull, NULL, text);
+  g_assert_nonnull (strstr (text, "the one edge that it seems to see"));
+  rounded_hull_clear (&hull);
+  site_set_free (set);
+}
+
 /* On sites in general position rounding does no harm, so that the algorithm
  * is right but for its signs; the true hull is the judge's on any sites. */
 static void
@@ -232,6 +247,8 @@ main (int argc, char **argv)
                    test_each_failure_has_one_wrong_sign);
   g_test_add_func ("/rounding/a1-loses-a-clear-corner",
                    test_a1_loses_a_clear_corner);
+  g_test_add_func ("/rounding/one-edge-is-told-in-the-singular",
+                   test_a2_is_told_in_the_singular);
   g_test_add_func ("/rounding/only-signs-are-wrong", test_only_signs_are_wrong);
   return g_test_run ();
 }

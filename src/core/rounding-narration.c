@@ -21,6 +21,9 @@ step_template (const RoundedHull *hull, const RoundedStep *step)
         "{p} seems to see every edge: the walk round the hull never ends, and "
         "the program hangs. At {a} {b} the rounded sign is wrong.");
   case ROUNDED_INSERT:
+    if (step->n_wrong > 0 && step->n_seen == 1)
+      return N_ ("{p} takes the place of the one edge that it seems to see; "
+                 "at {a} {b} the rounded sign is wrong.");
     if (step->n_wrong > 0)
       return N_ ("{p} takes the place of {n} edges that it seems to see; at "
                  "{a} {b} the rounded sign is wrong.");
