@@ -24,7 +24,7 @@
 /* Places round a mark: directions, and distances in px. */
 #define N_DIRECTIONS 16
 #define N_DISTANCES 4
-#define N_DISTANCES_MOST 7 /* of numbers */
+#define N_DISTANCES_MOST 5 /* of numbers */
 #define DISTANCE_STEP 5.0
 #define TURN 6.28318530717958647692
 
