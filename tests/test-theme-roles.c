@@ -165,6 +165,10 @@ check_solid_lines (const Theme *theme)
   const Colour in_hand = sight_style (theme, ROLE_SELECTED_FACET).line;
   const Colour horizon = sight_style (theme, ROLE_HORIZON).line;
   const Colour cone = sight_style (theme, ROLE_CONE_EDGE).line;
+  const SceneItem behind_it
+      = { .role = ROLE_HORIZON, .emphasis = EMPHASIS_PALE };
+  const Colour pale
+      = sight_over (theme_style (theme, &behind_it).line, theme->background);
   guint i;
 
   if (theme == theme_get (THEME_PRINT))
@@ -181,7 +185,11 @@ check_solid_lines (const Theme *theme)
       sight_fault (theme, "selected", ROLE_SELECTED_FACET, name,
                    sight_distance (theme->selected_facet, in_hand, vision));
     if (sight_distance (cone, horizon, vision) < 2 * COLOUR_APART)
-      sight_fault (theme, "cone", ROLE_HORIZON, name, 0);
+      sight_fault (theme, "cone", ROLE_HORIZON, name,
+                   sight_distance (cone, horizon, vision));
+    if (sight_distance (cone, pale, vision) < COLOUR_APART)
+      sight_fault (theme, "cone, pale", ROLE_HORIZON, name,
+                   sight_distance (cone, pale, vision));
   }
 }
 
