@@ -11,8 +11,9 @@
 #define REACH_PX 12.0
 
 /* A picture that was painted roughly, because something moved, is painted well
- * when nothing has moved for so long. It may itself take 120 ms where OpenGL is
- * software; pointers that move tell so every 20. */
+ * when nothing has moved for so long, also when a rough one of the last motion
+ * is still to come. It may itself take 120 ms where OpenGL is software;
+ * pointers that move tell so every 20. */
 #define SETTLE_MS 40
 
 /* To light so much takes as long as a picture of a large set. */
@@ -28,7 +29,7 @@ struct CanvasShow {
   gboolean is_refused;   /* the person does not wait for this picture */
   gboolean is_undressed; /* it is not of the theme and sizes that are wanted */
   gboolean is_moving;
-  gboolean is_settling; /* the next picture is to be a good one */
+  gint64 moved_us; /* when something has last changed */
   guint settle_source;
   char *trouble; /* to be told: why OpenGL does not paint */
   guint trouble_source;
@@ -160,8 +161,8 @@ canvas_show_has_role (CanvasShow *show, Role role)
   return canvas_scene_has_role (show->scene, role);
 }
 
-void
-canvas_show_invalidate (CanvasShow *show, CanvasChange change)
+static void
+invalidate (CanvasShow *show, CanvasChange change)
 {
   const gboolean is_only_look = change == CANVAS_CHANGE_LOOK;
 
@@ -177,7 +178,25 @@ canvas_show_invalidate (CanvasShow *show, CanvasChange change)
   gtk_widget_queue_draw (GTK_WIDGET (show->canvas));
 }
 
+void
+canvas_show_invalidate (CanvasShow *show, CanvasChange change)
+{
+  show->moved_us = g_get_monotonic_time ();
+  invalidate (show, change);
+}
+
 /* Rough pictures */
+
+/* Returns: how long it will be until nothing has moved for a while. */
+static gint
+ms_to_rest (const CanvasShow *show)
+{
+  const gint64 still_us = g_get_monotonic_time () - show->moved_us;
+
+  return MAX (0, SETTLE_MS - (gint)(still_us / 1000));
+}
+
+static void settle_later (CanvasShow *show);
 
 static gboolean
 on_settled (gpointer user)
@@ -185,18 +204,19 @@ on_settled (gpointer user)
   CanvasShow *show = user;
 
   show->settle_source = 0;
-  show->is_settling = TRUE;
-  canvas_show_invalidate (show, CANVAS_CHANGE_PICTURE);
+  if (ms_to_rest (show) > 0)
+    settle_later (show);
+  else
+    invalidate (show, CANVAS_CHANGE_PICTURE);
   return G_SOURCE_REMOVE;
 }
 
-/* Puts off the good picture until nothing has moved for a while. */
 static void
 settle_later (CanvasShow *show)
 {
-  if (show->settle_source != 0)
-    g_source_remove (show->settle_source);
-  show->settle_source = g_timeout_add (SETTLE_MS, on_settled, show);
+  if (show->settle_source == 0)
+    show->settle_source
+        = g_timeout_add ((guint)ms_to_rest (show), on_settled, show);
 }
 
 void
@@ -208,7 +228,7 @@ canvas_show_set_moving (CanvasShow *show, gboolean moving)
 static gboolean
 may_be_rough (const CanvasShow *show)
 {
-  return show->is_moving && !show->is_settling;
+  return show->is_moving && ms_to_rest (show) > 0;
 }
 
 /* Trouble */
@@ -241,7 +261,6 @@ note_painted (CanvasShow *show, const GError *error)
 {
   if (error != NULL)
     tell_trouble (show, error);
-  show->is_settling = FALSE;
   if (canvas_picture_is_valid (show->picture))
     show->is_undressed = FALSE;
   if (canvas_picture_is_rough (show->picture))
