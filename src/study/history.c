@@ -15,8 +15,8 @@ struct History {
 static void
 snapshot_clear (Snapshot *snapshot)
 {
-  g_free (snapshot->sites);
-  g_free (snapshot->hues);
+  g_bytes_unref (snapshot->sites);
+  g_bytes_unref (snapshot->hues);
 }
 
 static void

@@ -15,9 +15,8 @@ typedef struct History History;
 
 /* The sites on one side of an edit; coordinates as given. */
 typedef struct Snapshot {
-  Site *sites;
-  guint32 *hues; /* of their cells */
-  guint n_sites;
+  GBytes *sites;        /* one Site after the other, shared with the run */
+  GBytes *hues;         /* of their cells: guint32 */
   gboolean is_replaced; /* there are quite others on the other side */
 } Snapshot;
 

@@ -2,6 +2,16 @@
 
 #include "timeline.h"
 
+static GBytes *
+given_of (const SiteSet *set)
+{
+  Site *sites = g_new (Site, MAX (set->n_sites, 1));
+
+  for (guint i = 0; i < set->n_sites; i++)
+    sites[i] = site_set_given (set, i);
+  return g_bytes_new_take (sites, set->n_sites * sizeof *sites);
+}
+
 /* Takes @set and @trace. */
 static Run *
 put_together (SiteSet *set, Trace *trace)
@@ -10,6 +20,7 @@ put_together (SiteSet *set, Trace *trace)
 
   run->reference_count = 1;
   run->set = set;
+  run->given = given_of (set);
   run->trace = trace;
   run->hues = g_new (guint32, MAX (set->n_sites, 1));
   for (guint i = 0; i < set->n_sites; i++)
@@ -79,6 +90,7 @@ run_unref (Run *run)
   if (!g_atomic_int_dec_and_test (&run->reference_count))
     return;
   trace_free (run->trace);
+  g_bytes_unref (run->given);
   site_set_free (run->set);
   g_free (run->hues);
   g_free (run);
@@ -87,43 +99,30 @@ run_unref (Run *run)
 Site *
 run_given (const Run *run)
 {
-  Site *sites = g_new0 (Site, run->set->n_sites);
+  gsize length;
+  gconstpointer sites = g_bytes_get_data (run->given, &length);
 
-  for (guint i = 0; i < run->set->n_sites; i++)
-    sites[i] = site_set_given (run->set, i);
-  return sites;
+  return g_memdup2 (sites, length);
 }
 
 gboolean
 run_is_of (const Run *run, const Site *sites, guint n_sites, const Order *order)
 {
+  const Site *given = g_bytes_get_data (run->given, NULL);
+
   if (run->set->n_sites != n_sites || run->trace->order.kind != order->kind
       || run->trace->order.seed != order->seed)
     return FALSE;
-  for (guint i = 0; i < n_sites; i++) {
-    const Site site = site_set_given (run->set, i);
-
-    if (site.x != sites[i].x || site.y != sites[i].y)
+  for (guint i = 0; i < n_sites; i++)
+    if (given[i].x != sites[i].x || given[i].y != sites[i].y)
       return FALSE;
-  }
   return TRUE;
 }
 
 gboolean
 run_has_sites_of (const Run *run, const Run *other)
 {
-  if (run == other)
-    return TRUE;
-  if (run->set->n_sites != other->set->n_sites)
-    return FALSE;
-  for (guint i = 0; i < run->set->n_sites; i++) {
-    const Site site = site_set_given (run->set, i);
-    const Site same = site_set_given (other->set, i);
-
-    if (site.x != same.x || site.y != same.y)
-      return FALSE;
-  }
-  return TRUE;
+  return run == other || g_bytes_equal (run->given, other->given);
 }
 
 guint

@@ -12,6 +12,8 @@ G_BEGIN_DECLS
 typedef struct Run {
   int reference_count;
   SiteSet *set;
+  GBytes *given; /* the sites as given, one Site after the other; undo shares
+                    them */
   Trace *trace;
   guint32 *hues; /* per site: SceneLook.hues */
 } Run;

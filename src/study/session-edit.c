@@ -49,11 +49,10 @@ make_run (Session *session, const Edit *edit, GError **error)
 static Snapshot
 snapshot_of (const Run *run)
 {
-  const guint n_sites = run->set->n_sites;
-
-  return (Snapshot){ run_given (run),
-                     g_memdup2 (run->hues, n_sites * sizeof *run->hues),
-                     n_sites, FALSE };
+  return (Snapshot){
+    g_bytes_ref (run->given),
+    g_bytes_new (run->hues, run->set->n_sites * sizeof *run->hues), FALSE
+  };
 }
 
 void
@@ -423,12 +422,13 @@ static gboolean
 show_snapshot (Session *session, const Snapshot *snapshot, EditKind kind)
 {
   Edit edit = { .kind = kind, .order = session->run->trace->order };
+  gsize length;
   Run *run;
 
   if (snapshot == NULL)
     return FALSE;
-  edit.sites = snapshot->sites;
-  edit.n_sites = snapshot->n_sites;
+  edit.sites = g_bytes_get_data (snapshot->sites, &length);
+  edit.n_sites = (guint)(length / sizeof *edit.sites);
   /* They have been shown before, so their run exists. */
   run = make_run (session, &edit, NULL);
   if (run == NULL) {
@@ -440,7 +440,8 @@ show_snapshot (Session *session, const Snapshot *snapshot, EditKind kind)
     return TRUE;
   }
   if (run->reference_count == 1 && run->set->n_sites > 0)
-    memcpy (run->hues, snapshot->hues, run->set->n_sites * sizeof *run->hues);
+    memcpy (run->hues, g_bytes_get_data (snapshot->hues, NULL),
+            run->set->n_sites * sizeof *run->hues);
   session_hold (session);
   session_put_run (session, run,
                    run_same_place (session->run, session->step, run));

@@ -2,6 +2,8 @@
 
 #include "session-private.h"
 
+#include <math.h>
+
 struct SessionWork {
   Edit edit; /* its sites and name are the following ones */
   Site *own_sites;
@@ -214,11 +216,12 @@ session_take_ready (Session *session, const Edit *edit)
 static gboolean
 is_in_range (const Edit *edit)
 {
-  SiteSet *set = site_set_new (edit->sites, edit->n_sites);
+  SiteRange range = SITE_RANGE_INIT;
 
-  if (set == NULL)
-    return FALSE;
-  site_set_free (set);
+  for (guint i = 0; i < edit->n_sites; i++)
+    if (!isfinite (edit->sites[i].x) || !isfinite (edit->sites[i].y)
+        || !site_range_add (&range, &edit->sites[i]))
+      return FALSE;
   return TRUE;
 }
 
