@@ -72,8 +72,7 @@ on_long_press (GtkGesture *gesture, double x, double y, Canvas *canvas)
 
   canvas_input_give_up (canvas);
   gtk_gesture_set_state (gesture, GTK_EVENT_SEQUENCE_CLAIMED);
-  if (!canvas_is_busy (canvas))
-    canvas_menu_popup (canvas, canvas_pick (canvas, at_px), at_px);
+  canvas_menu_popup (canvas, canvas_pick (canvas, at_px), at_px);
 }
 
 void

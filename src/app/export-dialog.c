@@ -1,8 +1,10 @@
 #include "export-dialog.h"
 
+#include "picture-task.h"
 #include "session-picture.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
 /* Sides of the sample, px. */
 #define SAMPLE_WIDTH 400.0
@@ -17,6 +19,8 @@ struct _ExportDialog {
   GtkToggleButton *transparent;
   GtkLabel *size;
   GtkWidget *sample, *export_button;
+  PictureTask *task;      /* draws the sample of a large set; or NULL */
+  cairo_surface_t *drawn; /* by such a task; or NULL: not yet */
 };
 
 G_DEFINE_TYPE (ExportDialog, export_dialog, GTK_TYPE_DIALOG)
@@ -67,6 +71,24 @@ draw_chequers (cairo_t *cr, double width, double height)
 }
 
 static gboolean
+is_large (ExportDialog *dialog)
+{
+  return session_is_large (dialog->session, TRUE);
+}
+
+static void
+paint_drawn (ExportDialog *dialog, const Picture *picture, cairo_t *cr)
+{
+  if (dialog->drawn == NULL)
+    return;
+  cairo_scale (
+      cr, picture->width / cairo_image_surface_get_width (dialog->drawn),
+      picture->height / cairo_image_surface_get_height (dialog->drawn));
+  cairo_set_source_surface (cr, dialog->drawn, 0, 0);
+  cairo_paint (cr);
+}
+
+static gboolean
 on_draw_sample (GtkWidget *widget, cairo_t *cr, ExportDialog *dialog)
 {
   const double room[2] = { gtk_widget_get_allocated_width (widget),
@@ -83,8 +105,88 @@ on_draw_sample (GtkWidget *widget, cairo_t *cr, ExportDialog *dialog)
   cairo_clip (cr);
   draw_chequers (cr, room[0], room[1]);
   cairo_scale (cr, factor, factor);
-  picture_paint (&picture, session_get_frame (dialog->session), cr);
+  if (is_large (dialog))
+    paint_drawn (dialog, &picture, cr);
+  else
+    picture_paint (&picture, session_get_frame (dialog->session), cr);
   return TRUE;
+}
+
+/* Large sets */
+
+/* What is left to be read of a PNG. */
+typedef struct Reader {
+  const guint8 *data;
+  gsize length;
+} Reader;
+
+static cairo_status_t
+read_more (void *user, unsigned char *data, unsigned int length)
+{
+  Reader *reader = user;
+
+  if (length > reader->length)
+    return CAIRO_STATUS_READ_ERROR;
+  memcpy (data, reader->data, length);
+  reader->data += length;
+  reader->length -= length;
+  return CAIRO_STATUS_SUCCESS;
+}
+
+static void
+drop_drawn (ExportDialog *dialog)
+{
+  g_clear_pointer (&dialog->drawn, cairo_surface_destroy);
+}
+
+static void
+on_drawn (PictureFile files[N_PICTURE_FILES],
+          const GError *error,
+          gpointer user)
+{
+  ExportDialog *dialog = user;
+  Reader reader = { NULL, 0 };
+
+  if (error != NULL)
+    return;
+  reader.data = g_bytes_get_data (files[0].bytes, &reader.length);
+  drop_drawn (dialog);
+  dialog->drawn
+      = cairo_image_surface_create_from_png_stream (read_more, &reader);
+  gtk_widget_queue_draw (dialog->sample);
+}
+
+static void
+on_task_over (gpointer user)
+{
+  ExportDialog *dialog = user;
+
+  dialog->task = NULL;
+  g_object_unref (dialog);
+}
+
+static void
+drop_task (ExportDialog *dialog)
+{
+  if (dialog->task != NULL)
+    picture_task_give_up (dialog->task);
+}
+
+/* A thread draws the sample; the one before stays until then. */
+static void
+draw_later (ExportDialog *dialog, const Picture *picture)
+{
+  const int fine = gtk_widget_get_scale_factor (dialog->sample);
+  const PictureFile file = {
+    PICTURE_PNG,
+    fine * MIN (SAMPLE_WIDTH / picture->width, SAMPLE_HEIGHT / picture->height),
+    NULL, NULL
+  };
+
+  drop_task (dialog);
+  dialog->task
+      = picture_task_begin (dialog->session, picture, &file, 1, on_drawn,
+                            g_object_ref (dialog), on_task_over);
 }
 
 /* What the numbers make of the picture. */
@@ -106,6 +208,8 @@ update (ExportDialog *dialog)
                                     PICTURE_MOST);
   gtk_label_set_text (dialog->size, text);
   gtk_widget_set_sensitive (dialog->export_button, is_good);
+  if (is_good && is_large (dialog))
+    draw_later (dialog, &picture);
   gtk_widget_queue_draw (dialog->sample);
 }
 
@@ -145,8 +249,9 @@ static void
 on_changed (Session *session, guint changes, ExportDialog *dialog)
 {
   (void)session;
-  (void)changes;
-  update (dialog);
+  /* The sample itself is work. */
+  if ((changes & ~(guint)CHANGED_WORK) != 0)
+    update (dialog);
 }
 
 ExportDialog *
@@ -169,7 +274,11 @@ export_dialog_new (GtkWindow *parent, Session *session)
 static void
 export_dialog_dispose (GObject *object)
 {
-  g_clear_object (&HULL2VD_EXPORT_DIALOG (object)->session);
+  ExportDialog *dialog = HULL2VD_EXPORT_DIALOG (object);
+
+  drop_task (dialog);
+  drop_drawn (dialog);
+  g_clear_object (&dialog->session);
   G_OBJECT_CLASS (export_dialog_parent_class)->dispose (object);
 }
 

@@ -1,5 +1,7 @@
 #include "handout-dialog.h"
 
+#include "chore-task.h"
+
 #include <glib/gi18n.h>
 
 /* px of the sample; a page of either paper fits in. */
@@ -11,8 +13,10 @@
 
 struct _HandoutDialog {
   GtkDialog parent_instance;
-  Session *session; /* plays the lesson for the pages */
+  Session *session; /* whose chore the pages are */
+  Lesson *lesson;
   Handout *handout; /* what the dialog says; NULL: not yet */
+  ChoreTask *task;  /* sets the pages; NULL: none is under way */
   guint rest;       /* source that will set the pages */
   GtkComboBox *contents, *theme, *paper;
   GtkToggleButton *steps, *key;
@@ -90,17 +94,76 @@ show_pages (HandoutDialog *dialog)
   gtk_widget_queue_draw (dialog->sample);
 }
 
+/* What a thread sets: a session of its own plays the lesson. */
+typedef struct Pages {
+  HandoutDialog *dialog;
+  Lesson *lesson;
+  HandoutOptions options;
+  Handout *handout;
+  ChoreTask *task;
+} Pages;
+
+static void
+pages_free (gpointer data)
+{
+  Pages *pages = data;
+
+  if (pages->dialog->task == pages->task)
+    pages->dialog->task = NULL;
+  g_object_unref (pages->dialog);
+  lesson_unref (pages->lesson);
+  g_clear_pointer (&pages->handout, handout_free);
+  g_free (pages);
+}
+
+static gboolean
+set_pages (ChoreTask *task, gpointer data, GError **error)
+{
+  Pages *pages = data;
+  g_autoptr (Session) session = session_new ();
+
+  (void)task;
+  (void)error;
+  session_set_lesson (session, pages->lesson);
+  pages->handout = handout_new (session, &pages->options);
+  return TRUE;
+}
+
+static void
+on_pages (gpointer data, const GError *error)
+{
+  Pages *pages = data;
+  HandoutDialog *dialog = pages->dialog;
+
+  (void)error;
+  g_clear_pointer (&dialog->handout, handout_free);
+  dialog->handout = g_steal_pointer (&pages->handout);
+  show_pages (dialog);
+}
+
+static void
+drop_task (HandoutDialog *dialog)
+{
+  if (dialog->task != NULL)
+    chore_task_give_up (dialog->task);
+  dialog->task = NULL;
+}
+
+/* The pages before stay until the new ones are set. */
 static gboolean
 on_rest (gpointer user)
 {
   HandoutDialog *dialog = user;
-  HandoutOptions options;
+  Pages *pages = g_new0 (Pages, 1);
 
   dialog->rest = 0;
-  handout_dialog_fill (dialog, &options);
-  g_clear_pointer (&dialog->handout, handout_free);
-  dialog->handout = handout_new (dialog->session, &options);
-  show_pages (dialog);
+  pages->dialog = g_object_ref (dialog);
+  pages->lesson = lesson_ref (dialog->lesson);
+  handout_dialog_fill (dialog, &pages->options);
+  drop_task (dialog);
+  pages->task = dialog->task
+      = chore_task_begin (dialog->session, _ ("The pages are being set"),
+                          set_pages, on_pages, pages, pages_free);
   return G_SOURCE_REMOVE;
 }
 
@@ -139,14 +202,14 @@ connect_controls (HandoutDialog *dialog)
 }
 
 HandoutDialog *
-handout_dialog_new (GtkWindow *parent, Lesson *lesson)
+handout_dialog_new (GtkWindow *parent, Session *session, Lesson *lesson)
 {
   HandoutDialog *dialog = g_object_new (
       HANDOUT_DIALOG_TYPE, "transient-for", parent, "modal", TRUE,
       "destroy-with-parent", TRUE, "use-header-bar", 1, NULL);
 
-  dialog->session = session_new ();
-  session_set_lesson (dialog->session, lesson);
+  dialog->session = g_object_ref (session);
+  dialog->lesson = lesson_ref (lesson);
   connect_controls (dialog);
   on_changed (dialog);
   return dialog;
@@ -160,7 +223,9 @@ handout_dialog_dispose (GObject *object)
   if (dialog->rest != 0)
     g_source_remove (dialog->rest);
   dialog->rest = 0;
+  drop_task (dialog);
   g_clear_pointer (&dialog->handout, handout_free);
+  g_clear_pointer (&dialog->lesson, lesson_unref);
   g_clear_object (&dialog->session);
   G_OBJECT_CLASS (handout_dialog_parent_class)->dispose (object);
 }

@@ -12,8 +12,10 @@ G_BEGIN_DECLS
 G_DECLARE_FINAL_TYPE (
     HandoutDialog, handout_dialog, HULL2VD, HANDOUT_DIALOG, GtkDialog)
 
-/* Responds with GTK_RESPONSE_ACCEPT when the handout is wanted. */
-HandoutDialog *handout_dialog_new (GtkWindow *parent, Lesson *lesson);
+/* Responds with GTK_RESPONSE_ACCEPT when the handout is wanted; its pages are
+ * chores of @session. */
+HandoutDialog *
+handout_dialog_new (GtkWindow *parent, Session *session, Lesson *lesson);
 
 /* Lets @options be as the dialog says. */
 void handout_dialog_fill (HandoutDialog *dialog, HandoutOptions *options);

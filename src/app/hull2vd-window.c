@@ -158,6 +158,7 @@ on_changed (Session *session, guint changes, Hull2vdWindow *window)
   if (changes & CHANGED_WORK)
     window_files_follow_work (window);
   if (changes & (CHANGED_SITES | CHANGED_LESSON)) {
+    window_files_stop_reading (window);
     hull2vd_window_update_title (window);
     update_hints (window);
   }
@@ -290,7 +291,7 @@ hull2vd_window_dispose (GObject *object)
   g_clear_object (&window->session);
   g_clear_object (&window->settings);
   g_clear_pointer (&window->path, g_free);
-  g_clear_pointer (&window->saved, g_free);
+  g_clear_pointer (&window->saved, g_bytes_unref);
   g_clear_pointer (&window->awaited, g_free);
   G_OBJECT_CLASS (hull2vd_window_parent_class)->dispose (object);
 }

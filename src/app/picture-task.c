@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-typedef struct PictureTask {
+struct PictureTask {
   Session *session; /* borrowed; of the main loop alone, as the next five */
   guint chore;
   gboolean is_over; /* nobody is told */
@@ -23,7 +23,7 @@ typedef struct PictureTask {
   KeptPanes *panes;
   PictureFile files[N_PICTURE_FILES];
   guint n_files;
-} PictureTask;
+};
 
 static void
 picture_task_free (gpointer data)
@@ -122,13 +122,17 @@ on_worked (GObject *source, GAsyncResult *result, gpointer user)
   end (task);
 }
 
+void
+picture_task_give_up (PictureTask *task)
+{
+  kept_panes_give_up (task->panes);
+  end (task);
+}
+
 static void
 give_up (gpointer user)
 {
-  PictureTask *task = user;
-
-  kept_panes_give_up (task->panes);
-  end (task);
+  picture_task_give_up (user);
 }
 
 static PictureTask *
@@ -149,7 +153,7 @@ picture_task_new (Session *session, const Picture *picture)
   return task;
 }
 
-void
+PictureTask *
 picture_task_begin (Session *session,
                     const Picture *picture,
                     const PictureFile *files,
@@ -175,4 +179,5 @@ picture_task_begin (Session *session,
       task);
   g_task_set_task_data (job, task, picture_task_free);
   g_task_run_in_thread (job, work);
+  return task;
 }

@@ -8,6 +8,8 @@
 
 G_BEGIN_DECLS
 
+typedef struct PictureTask PictureTask;
+
 typedef struct PictureFile {
   PictureFormat format;
   double scale;
@@ -26,14 +28,19 @@ typedef void (*PictureTaskDone) (PictureFile files[N_PICTURE_FILES],
                                  gpointer user);
 
 /* Draws @picture, which has its size, view and theme, once for each of @files
- * and copies what it is given. @destroy: of @user, in any case. */
-void picture_task_begin (Session *session,
-                         const Picture *picture,
-                         const PictureFile *files,
-                         guint n_files,
-                         PictureTaskDone done,
-                         gpointer user,
-                         GDestroyNotify destroy);
+ * and copies what it is given. @destroy: of @user, in any case.
+ *
+ * Returns: (transfer none): valid until @destroy. */
+PictureTask *picture_task_begin (Session *session,
+                                 const Picture *picture,
+                                 const PictureFile *files,
+                                 guint n_files,
+                                 PictureTaskDone done,
+                                 gpointer user,
+                                 GDestroyNotify destroy);
+
+/* Nobody wants it any more. */
+void picture_task_give_up (PictureTask *task);
 
 G_END_DECLS
 

@@ -85,16 +85,6 @@ run_open_file (Hull2vdWindow *window, GVariant *parameter)
   window_files_open_path (window, g_variant_get_string (parameter, NULL));
 }
 
-static void
-run_copy (Hull2vdWindow *window)
-{
-  g_autofree char *text = document_copy (window->session);
-
-  gtk_clipboard_set_text (
-      gtk_widget_get_clipboard (GTK_WIDGET (window), GDK_SELECTION_CLIPBOARD),
-      text, -1);
-}
-
 /* Says why not. */
 static gboolean
 can_edit (Hull2vdWindow *window)
@@ -235,7 +225,7 @@ static const Command commands[] = {
   { "restore-unsaved", window_recovery_restore },
   { "discard-unsaved", window_recovery_discard },
   { "adapt-lesson", window_files_adapt },
-  { "copy", run_copy },
+  { "copy", window_files_copy },
   { "paste", run_paste },
   { "copy-picture", window_picture_copy },
   { "clear-progress", window_progress_clear },

@@ -1,5 +1,6 @@
 #include "window-private.h"
 
+#include "chore-task.h"
 #include "document.h"
 #include "file-dialogs.h"
 #include "handout-dialog.h"
@@ -27,52 +28,113 @@ pages_open (Pages *pages)
     g_error ("open_memstream: %s", g_strerror (errno));
 }
 
-/* Writes the pages to @path unless @is_good is FALSE, and lets them go. */
-static gboolean
-pages_close (Pages *pages, const char *path, gboolean is_good, GError **error)
-{
-  gboolean is_written = FALSE;
+/* What a thread writes. Another session plays it, so that the window's stays
+ * in place. */
+typedef struct Export {
+  Hull2vdWindow *window;
+  char *path;
+  Lesson *lesson; /* NULL: the sites, in their order */
+  GBytes *sites;
+  Order order;
+  gboolean is_handout; /* else a storyboard */
+  HandoutOptions options;
+} Export;
 
-  fclose (pages->file);
-  if (is_good)
-    is_written = document_write (path, pages->bytes, pages->length, error);
-  free (pages->bytes);
-  return is_written;
+static Export *
+export_new (Hull2vdWindow *window)
+{
+  Session *session = window->session;
+  Lesson *lesson = session_get_lesson (session);
+  Export *export = g_new0 (Export, 1);
+
+  export->window = g_object_ref (window);
+  if (lesson != NULL)
+    export->lesson = lesson_ref (lesson);
+  export->sites = document_sites (session);
+  export->order = session_get_order (session);
+  return export;
 }
 
-/* Another session plays the lesson, so that the window's stays in place. */
-static Session *
-copy_session (Session *session)
+static void
+export_free (gpointer data)
 {
-  Session *copy = session_new ();
-  const SiteSet *set = session_get_set (session);
-  g_autofree Site *sites = g_new (Site, MAX (set->n_sites, 1));
+  Export *export = data;
 
-  if (session_get_lesson (session) != NULL) {
-    session_set_lesson (copy, session_get_lesson (session));
-    return copy;
+  g_object_unref (export->window);
+  g_clear_pointer (&export->lesson, lesson_unref);
+  g_bytes_unref (export->sites);
+  g_free (export->path);
+  g_free (export);
+}
+
+static Session *
+play (const Export *export)
+{
+  Session *session = session_new ();
+  gsize length;
+  const Site *sites = g_bytes_get_data (export->sites, &length);
+
+  if (export->lesson != NULL) {
+    session_set_lesson (session, export->lesson);
+    return session;
   }
-  for (guint i = 0; i < set->n_sites; i++)
-    sites[i] = site_set_given (set, i);
-  session_set_sites (copy, sites, set->n_sites, NULL);
-  return copy;
+  session_set_order (session, &export->order);
+  session_set_sites (session, sites, (guint)(length / sizeof *sites), NULL);
+  return session;
+}
+
+static gboolean
+write_pages (const Export *export, FILE *file, GError **error)
+{
+  g_autoptr (Session) session = play (export);
+  g_autoptr (Handout) handout = NULL;
+  Appearance appearance;
+
+  appearance_init (&appearance);
+  if (!export->is_handout)
+    return storyboard_write (session, &appearance, file, error);
+  handout = handout_new (session, &export->options);
+  return handout_write (handout, file, error);
+}
+
+static gboolean
+export_pages (ChoreTask *task, gpointer data, GError **error)
+{
+  Export *export = data;
+  Pages pages;
+  gboolean is_good;
+
+  pages_open (&pages);
+  is_good = write_pages (export, pages.file, error);
+  fclose (pages.file);
+  is_good = is_good
+            && chore_task_write (task, export->path, pages.bytes, pages.length,
+                                 error);
+  free (pages.bytes);
+  return is_good;
+}
+
+static void
+on_exported (gpointer data, const GError *error)
+{
+  if (error != NULL)
+    hull2vd_window_say (((Export *)data)->window, error->message);
+}
+
+static void
+begin (Export *export, const char *path)
+{
+  export->path = g_strdup (path);
+  chore_task_begin (export->window->session,
+                    export->is_handout ? _ ("The handout is being written")
+                                       : _ ("The storyboard is being written"),
+                    export_pages, on_exported, export, export_free);
 }
 
 static void
 on_storyboard_chosen (const char *path, gpointer user)
 {
-  Hull2vdWindow *window = user;
-  g_autoptr (Session) session = copy_session (window->session);
-  g_autoptr (GError) error = NULL;
-  Appearance appearance;
-  Pages pages;
-  gboolean is_good;
-
-  appearance_init (&appearance);
-  pages_open (&pages);
-  is_good = storyboard_write (session, &appearance, pages.file, &error);
-  if (!pages_close (&pages, path, is_good, error == NULL ? &error : NULL))
-    hull2vd_window_say (window, error->message);
+  begin (export_new (user), path);
 }
 
 void
@@ -84,63 +146,49 @@ window_files_storyboard (Hull2vdWindow *window)
 
 /* Handouts */
 
-/* What was asked for, while the name of the file is asked for. */
-typedef struct HandoutExport {
-  Hull2vdWindow *window;
-  Lesson *lesson;
-  HandoutOptions options;
-} HandoutExport;
-
-static void
-handout_export_free (gpointer user)
-{
-  HandoutExport *export = user;
-
-  g_object_unref (export->window);
-  lesson_unref (export->lesson);
-  g_free (export);
-}
-
+/* Takes over what was asked for, while the name of the file is asked for. */
 static void
 on_handout_chosen (const char *path, gpointer user)
 {
-  HandoutExport *export = user;
-  g_autoptr (Session) session = session_new ();
-  g_autoptr (Handout) handout = NULL;
-  g_autoptr (GError) error = NULL;
-  Pages pages;
-  gboolean is_good;
+  Export **asked = user;
 
-  session_set_lesson (session, export->lesson);
-  handout = handout_new (session, &export->options);
-  pages_open (&pages);
-  is_good = handout_write (handout, pages.file, &error);
-  if (!pages_close (&pages, path, is_good, error == NULL ? &error : NULL))
-    hull2vd_window_say (export->window, error->message);
+  begin (g_steal_pointer (asked), path);
 }
 
 static void
-on_handout_response (HandoutDialog *dialog, int response, HandoutExport *export)
+asked_free (gpointer user)
 {
+  Export **asked = user;
+
+  g_clear_pointer (asked, export_free);
+  g_free (asked);
+}
+
+static void
+on_handout_response (HandoutDialog *dialog, int response, Export *export)
+{
+  Export **asked;
+
   if (response == GTK_RESPONSE_ACCEPT) {
     handout_dialog_fill (dialog, &export->options);
+    asked = g_new (Export *, 1);
+    *asked = export;
     file_dialog_save_with (GTK_WINDOW (export->window),
                            _ ("Export a Handout (.pdf)"), _ ("handout.pdf"),
-                           on_handout_chosen, export, handout_export_free);
+                           on_handout_chosen, asked, asked_free);
   } else
-    handout_export_free (export);
+    export_free (export);
   gtk_widget_destroy (GTK_WIDGET (dialog));
 }
 
 void
 window_files_handout (Hull2vdWindow *window)
 {
-  HandoutExport *export = g_new0 (HandoutExport, 1);
-  HandoutDialog *dialog;
+  Export *export = export_new (window);
+  HandoutDialog *dialog = handout_dialog_new (GTK_WINDOW (window),
+                                              window->session, export->lesson);
 
-  export->window = g_object_ref (window);
-  export->lesson = lesson_ref (session_get_lesson (window->session));
-  dialog = handout_dialog_new (GTK_WINDOW (window), export->lesson);
+  export->is_handout = TRUE;
   g_signal_connect (dialog, "response", G_CALLBACK (on_handout_response),
                     export);
   gtk_window_present (GTK_WINDOW (dialog));

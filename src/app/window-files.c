@@ -11,28 +11,8 @@
 #include "window-recent.h"
 
 #include <glib/gi18n.h>
-#include <string.h>
-
-/* The sites as they are now are those of the file. */
-static void
-remember_saved (Hull2vdWindow *window)
-{
-  g_free (window->saved);
-  window->saved = document_copy (window->session);
-}
-
-gboolean
-window_files_is_modified (Hull2vdWindow *window)
-{
-  g_autofree char *now = NULL;
-
-  /* A lesson is there to be played with. */
-  if (session_get_lesson (window->session) != NULL
-      || session_get_set (window->session)->n_sites == 0)
-    return FALSE;
-  now = document_copy (window->session);
-  return g_strcmp0 (now, window->saved) != 0;
-}
+#include <glib/gstdio.h>
+#include <sys/stat.h>
 
 /* A lesson is read again whenever its author saves it. */
 static void
@@ -57,7 +37,7 @@ show_restored (Hull2vdWindow *window, char *origin)
 {
   set_path (window, origin);
   window->is_foreign = TRUE;
-  g_clear_pointer (&window->saved, g_free);
+  g_clear_pointer (&window->saved, g_bytes_unref);
   hull2vd_window_update_title (window);
 }
 
@@ -71,26 +51,34 @@ show_loaded (Hull2vdWindow *window, const char *path, gboolean is_foreign)
   else {
     set_path (window, g_strdup (path));
     window->is_foreign = is_foreign;
-    remember_saved (window);
+    window_files_remember_saved (window);
     window_recent_add (path);
   }
   watch_lesson (window);
   gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
 }
 
-gboolean
-window_files_load (Hull2vdWindow *window, const char *path)
+/* Shows what is at @path: points that have been read, if @set is not NULL,
+ * which is taken. */
+static gboolean
+load_now (Hull2vdWindow *window,
+          const char *path,
+          SiteSet *set,
+          gboolean is_foreign)
 {
   g_autoptr (GError) error = NULL;
   g_autofree char *kept = g_strdup (path);
   char *before = g_steal_pointer (&window->path);
-  gboolean is_foreign;
+  gboolean is_open;
 
   gtk_info_bar_set_revealed (window->info_bar, FALSE);
   g_clear_pointer (&window->awaited, g_free);
   /* The title is made while the session tells of its change. */
   window->path = g_strdup (path);
-  if (!point_import_open (window->session, path, &is_foreign, &error)) {
+  is_open = set != NULL ? point_import_put (window->session, set, &error)
+                        : point_import_open (window->session, path, &is_foreign,
+                                             &error);
+  if (!is_open) {
     set_path (window, before);
     hull2vd_window_say (window, error->message);
     return FALSE;
@@ -104,6 +92,90 @@ window_files_load (Hull2vdWindow *window, const char *path)
   }
   g_free (before);
   show_loaded (window, kept, is_foreign);
+  return TRUE;
+}
+
+/* Many points, which a thread reads. */
+typedef struct Reading {
+  Hull2vdWindow *window;
+  char *path;
+  SiteSet *set;
+  gboolean is_foreign;
+  ChoreTask *task;
+} Reading;
+
+static void
+reading_free (gpointer data)
+{
+  Reading *reading = data;
+
+  if (reading->window->reading == reading->task)
+    reading->window->reading = NULL;
+  g_object_unref (reading->window);
+  g_clear_pointer (&reading->set, site_set_free);
+  g_free (reading->path);
+  g_free (reading);
+}
+
+static gboolean
+read_points (ChoreTask *task, gpointer data, GError **error)
+{
+  Reading *reading = data;
+
+  (void)task;
+  reading->set = point_import_read (reading->path, &reading->is_foreign, error);
+  return reading->set != NULL;
+}
+
+static void
+on_read (gpointer data, const GError *error)
+{
+  Reading *reading = data;
+  Hull2vdWindow *window = reading->window;
+
+  window->reading = NULL;
+  if (error != NULL)
+    hull2vd_window_say (window, error->message);
+  else
+    load_now (window, reading->path, g_steal_pointer (&reading->set),
+              reading->is_foreign);
+}
+
+void
+window_files_stop_reading (Hull2vdWindow *window)
+{
+  if (window->reading != NULL)
+    chore_task_give_up (window->reading);
+  window->reading = NULL;
+}
+
+/* Points by the thousand, in a file. */
+#define LONG_BYTES 100000
+
+static gboolean
+is_long (const char *path)
+{
+  GStatBuf status;
+
+  return !document_is_lesson (path) && g_stat (path, &status) == 0
+         && S_ISREG (status.st_mode) && status.st_size > LONG_BYTES;
+}
+
+gboolean
+window_files_load (Hull2vdWindow *window, const char *path)
+{
+  Reading *reading;
+
+  window_files_stop_reading (window);
+  if (!is_long (path))
+    return load_now (window, path, NULL, FALSE);
+  session_cancel (window->session);
+  reading = g_new0 (Reading, 1);
+  reading->window = g_object_ref (window);
+  reading->path = g_strdup (path);
+  window->reading = reading->task
+      = chore_task_begin (window->session, _ ("The file is being read"),
+                          read_points, on_read, reading, reading_free);
   return TRUE;
 }
 
@@ -130,7 +202,7 @@ begin_anew (Hull2vdWindow *window, const char *path)
   window->is_foreign = FALSE;
   action_run (window->session, "new", NULL, NULL);
   watch_lesson (window);
-  remember_saved (window);
+  window_files_remember_saved (window);
   gtk_info_bar_set_revealed (window->info_bar, FALSE);
 }
 
@@ -192,88 +264,6 @@ window_files_open (Hull2vdWindow *window)
 {
   file_dialog_open (GTK_WINDOW (window), _ ("Open a Lesson or Points"),
                     on_open_chosen, window);
-}
-
-/* Save */
-
-static void
-on_save_chosen (const char *path, gpointer user)
-{
-  Hull2vdWindow *window = user;
-  g_autoptr (GError) error = NULL;
-
-  if (!document_save (window->session, path, &error)) {
-    hull2vd_window_say (window, error->message);
-    return;
-  }
-  if (session_get_lesson (window->session) == NULL) {
-    g_autofree char *kept = g_strdup (path);
-
-    g_free (window->path);
-    window->path = g_steal_pointer (&kept);
-    window->is_foreign = FALSE;
-    remember_saved (window);
-    window_recovery_clear (window);
-    hull2vd_window_update_title (window);
-  }
-  window_recent_add (path);
-  gtk_info_bar_set_revealed (window->info_bar, FALSE);
-  window_ask_saved (window);
-}
-
-/* A lesson's sites are offered a name of their own, and so are those that came
- * from another form than the one they are written in. */
-static char *
-suggest_name (Hull2vdWindow *window)
-{
-  g_autofree char *base = NULL;
-  char *dot;
-
-  if (window->path == NULL || session_get_lesson (window->session) != NULL)
-    return g_strdup (_ ("sites.txt"));
-  base = g_path_get_basename (window->path);
-  dot = strrchr (base, '.');
-  if (!window->is_foreign || dot == NULL)
-    return g_steal_pointer (&base);
-  *dot = '\0';
-  return g_strconcat (base, ".txt", NULL);
-}
-
-static void
-ask_for_name (Hull2vdWindow *window)
-{
-  g_autofree char *name = suggest_name (window);
-
-  if (window_dialog_refuse (window, NULL))
-    return;
-  file_dialog_save (GTK_WINDOW (window), _ ("Save the Sites"), name,
-                    on_save_chosen, window);
-}
-
-void
-window_files_save_as (Hull2vdWindow *window)
-{
-  window_ask_forget (window);
-  ask_for_name (window);
-}
-
-void
-window_files_save (Hull2vdWindow *window)
-{
-  window_ask_forget (window);
-  window_files_save_now (window);
-}
-
-void
-window_files_save_now (Hull2vdWindow *window)
-{
-  g_autofree char *path = g_strdup (window->path);
-
-  if (path == NULL || window->is_foreign
-      || session_get_lesson (window->session) != NULL)
-    ask_for_name (window);
-  else
-    on_save_chosen (path, window);
 }
 
 /* Drop */
@@ -388,5 +378,5 @@ window_files_init (Hull2vdWindow *window)
       = lesson_watch_new (window->session, tell_faults, window->lesson_panel);
   window_files_take_drops (window, widget);
   g_signal_connect (widget, "delete-event", G_CALLBACK (on_delete), NULL);
-  remember_saved (window);
+  window_files_remember_saved (window);
 }

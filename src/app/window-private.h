@@ -3,6 +3,7 @@
 #ifndef WINDOW_PRIVATE_H
 #define WINDOW_PRIVATE_H
 
+#include "chore-task.h"
 #include "code-panel.h"
 #include "columns.h"
 #include "coordinate-entry.h"
@@ -38,7 +39,9 @@ struct _Hull2vdWindow {
   Session *session;
   GSettings *settings; /* NULL: not installed */
   char *path;          /* of the points or lesson, or NULL: new sites */
-  char *saved;         /* the points as they are in the file */
+  GBytes *saved;       /* the points as they are in the file, or NULL */
+  ChoreTask *saving;   /* NULL: none is under way */
+  ChoreTask *reading;  /* the same */
   LessonWatch *watch;  /* of the lesson's file */
   WindowRecovery *recovery;
   gboolean is_foreign; /* the file is no point file: see point-import.h */
@@ -135,19 +138,28 @@ void window_files_take_drops (Hull2vdWindow *window, GtkWidget *widget);
 void window_files_new (Hull2vdWindow *window);
 void window_files_open (Hull2vdWindow *window);
 void window_files_open_path (Hull2vdWindow *window, const char *path);
-void window_files_save (Hull2vdWindow *window);
-void window_files_save_now (Hull2vdWindow *window); /* for window-ask.c */
 void window_files_adapt (Hull2vdWindow *window);
-void window_files_save_as (Hull2vdWindow *window);
 void window_files_storyboard (Hull2vdWindow *window);
 void window_files_handout (Hull2vdWindow *window);
+/* Many points are read by a thread, and shown when they are there; FALSE: it
+ * is known already that they cannot be. */
 gboolean window_files_load (Hull2vdWindow *window, const char *path);
-/* Whether there is work in the window that is in no file. */
-gboolean window_files_is_modified (Hull2vdWindow *window);
+/* What was to be read takes the place of nothing any more. */
+void window_files_stop_reading (Hull2vdWindow *window);
 
 /* A thread is at work, or no longer: a file that was waited for is there now,
  * or will not come. */
 void window_files_follow_work (Hull2vdWindow *window);
+
+/* window-save.c: the sites as a file and as text; a thread writes many. */
+void window_files_save (Hull2vdWindow *window);
+void window_files_save_now (Hull2vdWindow *window); /* for window-ask.c */
+void window_files_save_as (Hull2vdWindow *window);
+void window_files_copy (Hull2vdWindow *window); /* to the clipboard */
+/* The sites as they are now are those of the file. */
+void window_files_remember_saved (Hull2vdWindow *window);
+/* Whether there is work in the window that is in no file. */
+gboolean window_files_is_modified (Hull2vdWindow *window);
 
 /* window-picture.c: pictures of the views. */
 void window_picture_export (Hull2vdWindow *window);

@@ -13,9 +13,9 @@
 /* What a thread writes, for the window does not wait for the disk. */
 typedef struct Job {
   Recovery *recovery;
-  Site *sites;
-  guint n_sites;
-  char *saved, *origin;
+  GBytes *sites; /* NULL: none that are anybody's */
+  GBytes *saved; /* what is in the file; NULL: there is none */
+  char *origin;
   GError *error;
   int is_over; /* atomic */
 } Job;
@@ -35,8 +35,8 @@ struct WindowRecovery {
 static void
 job_free (Job *job)
 {
-  g_free (job->sites);
-  g_free (job->saved);
+  g_clear_pointer (&job->sites, g_bytes_unref);
+  g_clear_pointer (&job->saved, g_bytes_unref);
   g_free (job->origin);
   g_clear_error (&job->error);
   g_free (job);
@@ -45,32 +45,36 @@ job_free (Job *job)
 static Job *
 job_new (Hull2vdWindow *window)
 {
-  const SiteSet *set = session_get_set (window->session);
   Job *job = g_new0 (Job, 1);
 
   job->recovery = window->recovery->own;
+  /* A lesson is there to be played with. */
   if (session_get_lesson (window->session) != NULL)
-    return job; /* a lesson is there to be played with */
-  job->n_sites = set->n_sites;
-  job->sites = g_new (Site, job->n_sites + 1);
-  for (guint i = 0; i < job->n_sites; i++)
-    job->sites[i] = site_set_given (set, i);
-  job->saved = g_strdup (window->saved);
+    return job;
+  job->sites = document_sites (window->session);
+  job->saved = window->saved != NULL ? g_bytes_ref (window->saved) : NULL;
   job->origin = g_strdup (window->path);
   return job;
+}
+
+static gboolean
+is_worth_keeping (const Job *job)
+{
+  return job->sites != NULL && g_bytes_get_size (job->sites) > 0
+         && (job->saved == NULL || !g_bytes_equal (job->sites, job->saved));
 }
 
 static void
 keep (Job *job)
 {
-  SiteSet *set = site_set_new (job->sites, job->n_sites);
-  g_autofree char *text = document_text (set);
+  g_autofree char *text = NULL;
 
-  site_set_free (set);
-  if (job->n_sites == 0 || g_strcmp0 (text, job->saved) == 0)
+  if (!is_worth_keeping (job)) {
     recovery_clear (job->recovery);
-  else
-    recovery_write (job->recovery, job->origin, text, &job->error);
+    return;
+  }
+  text = document_sites_text (job->sites);
+  recovery_write (job->recovery, job->origin, text, &job->error);
 }
 
 /* Waits for the job that is on its way, if there is one. */

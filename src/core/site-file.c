@@ -267,16 +267,25 @@ site_file_parse (const char *text, size_t length, SiteFileError *error)
   return set;
 }
 
+void
+site_file_write_line (const Site *site, char line[SITE_LINE_ROOM])
+{
+  char x[NUMBER_ROOM], y[NUMBER_ROOM];
+
+  number_write (site->x, x);
+  number_write (site->y, y);
+  snprintf (line, SITE_LINE_ROOM, "%s %s\n", x, y);
+}
+
 bool
 site_file_write (const SiteSet *set, FILE *file)
 {
   for (uint32_t i = 0; i < set->n_sites; i += 1) {
     const Site site = site_set_given (set, i);
-    char x[NUMBER_ROOM], y[NUMBER_ROOM];
+    char line[SITE_LINE_ROOM];
 
-    number_write (site.x, x);
-    number_write (site.y, y);
-    if (fprintf (file, "%s %s\n", x, y) < 0)
+    site_file_write_line (&site, line);
+    if (fputs (line, file) < 0)
       return false;
   }
   return true;

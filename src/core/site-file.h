@@ -31,4 +31,8 @@ const char *site_file_parse_line (const char *line, size_t length, Site *site);
  * Returns: false when writing failed (errno). */
 bool site_file_write (const SiteSet *set, FILE *file);
 
+/* Its line in such a file, with its end. */
+#define SITE_LINE_ROOM 80
+void site_file_write_line (const Site *site, char line[SITE_LINE_ROOM]);
+
 #endif

@@ -24,8 +24,7 @@ find_depths (const Painter *painter,
   uint32_t i;
 
   if (items == NULL) {
-    if (n > 0) /* else there may be none to copy */
-      memcpy (depths, painter->depths, n);
+    memcpy (depths, painter->depths, n);
     return;
   }
   for (i = 0; i < n; i++)

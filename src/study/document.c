@@ -138,6 +138,31 @@ document_text (const SiteSet *set)
   return g_steal_pointer (&copy);
 }
 
+GBytes *
+document_sites (Session *session)
+{
+  const SiteSet *set = session_get_set (session);
+
+  return g_bytes_new_take (given_sites (set),
+                           set->n_sites * sizeof *set->sites);
+}
+
+char *
+document_sites_text (GBytes *sites)
+{
+  gsize length;
+  const Site *each = g_bytes_get_data (sites, &length);
+  GString *text = g_string_sized_new (length);
+
+  for (gsize i = 0; i < length / sizeof *each; i++) {
+    char line[SITE_LINE_ROOM];
+
+    site_file_write_line (&each[i], line);
+    g_string_append (text, line);
+  }
+  return g_string_free (text, FALSE);
+}
+
 char *
 document_copy (Session *session)
 {

@@ -50,6 +50,13 @@ char *document_text (const SiteSet *set);
 /* Returns: (transfer full): the session's sites in the same form. */
 char *document_copy (Session *session);
 
+/* Returns: (transfer full): the session's sites as given, one Site after the
+ *          other: for a thread, or to be compared. Equal bytes, equal files. */
+GBytes *document_sites (Session *session);
+
+/* Returns: (transfer full): such sites as the text of a points file. */
+char *document_sites_text (GBytes *sites);
+
 /* Saves the sites as a points file, whole or not at all. */
 gboolean document_save (Session *session, const char *path, GError **error);
 

@@ -244,27 +244,38 @@ put_set (Session *session,
   return put (session, sites, n_sites, edit, error);
 }
 
+SiteSet *
+point_import_read (const char *path, gboolean *is_foreign, GError **error)
+{
+  gsize length;
+  g_autofree char *text = document_read (path, &length, error);
+
+  *is_foreign = FALSE;
+  return text == NULL
+             ? NULL
+             : point_import_parse (text, length, path, is_foreign, error);
+}
+
+gboolean
+point_import_put (Session *session, SiteSet *set, GError **error)
+{
+  return put_set (session, set, session_open_sites, _ ("opening a file"),
+                  error);
+}
+
 gboolean
 point_import_open (Session *session,
                    const char *path,
                    gboolean *is_foreign,
                    GError **error)
 {
-  g_autofree char *text = NULL;
-  gsize length;
   SiteSet *set;
 
   *is_foreign = FALSE;
   if (document_is_lesson (path))
     return document_open (session, path, error);
-  text = document_read (path, &length, error);
-  if (text == NULL)
-    return FALSE;
-  set = point_import_parse (text, length, path, is_foreign, error);
-  if (set == NULL)
-    return FALSE;
-  return put_set (session, set, session_open_sites, _ ("opening a file"),
-                  error);
+  set = point_import_read (path, is_foreign, error);
+  return set != NULL && point_import_put (session, set, error);
 }
 
 gboolean

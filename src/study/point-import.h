@@ -35,6 +35,15 @@ gboolean point_import_open (Session *session,
                             gboolean *is_foreign,
                             GError **error);
 
+/* Both halves of that for points: what may be another thread's, and the rest.
+ *
+ * Returns: (transfer full): the points, or NULL with @error set. */
+SiteSet *
+point_import_read (const char *path, gboolean *is_foreign, GError **error);
+
+/* Takes @set. */
+gboolean point_import_put (Session *session, SiteSet *set, GError **error);
+
 /* Replaces the session's sites by points in text; @origin is for messages,
  * @edit says what it is for undo: "paste". Text without points is refused. */
 gboolean point_import_text (Session *session,
