@@ -26,6 +26,8 @@ test_tables_and_rbox_text_are_read (void)
     { "2 rbox 3 D2\n3\n0.5 0.25\n1 1\n2 0\n", 3, TRUE },
     { "2\n2\n0.5 0.25\n1 1", 2, TRUE },
     { "2\n0\n", 0, TRUE },
+    { "0,5;0,25\n-0,125;3\n", 2, TRUE },
+    { "x;y\r\n0,5;0,25\r\n# a,b\r\n1;2\r\n", 2, TRUE },
     /* Two numbers are a site, whatever they might mean elsewhere. */
     { "2 3\n0.5 0.25\n", 2, FALSE },
   };
@@ -38,7 +40,7 @@ test_tables_and_rbox_text_are_read (void)
     g_assert_no_error (error);
     g_assert_cmpuint (set->n_sites, ==, rows[i].n_sites);
     g_assert_cmpint (is_foreign, ==, rows[i].is_foreign);
-    if (set->n_sites > 0 && i != 8)
+    if (set->n_sites > 0 && i + 1 < G_N_ELEMENTS (rows))
       g_assert_cmpfloat (site_set_given (set, 0).x, ==, 0.5);
     site_set_free (set);
   }
@@ -55,6 +57,11 @@ test_all_else_is_refused_by_its_line (void)
     { "x,y,z\n1,2,3\n", "p:1: " },
     { "x\n1 2\n", "p:1: " },
     { "nan,inf\n1,2\n", "p:1: " },
+    { "x;y\n1,500;2\n12,250;-3,125\n",
+      "p:2: the commas may be of decimals or of thousands" },
+    { "1,5;2,5\n1.5;2\n", "p:1: " },
+    { "1,5,2,5\n", "p:1: " },
+    { "1.234,5;2,5\n", "p:1: " },
     { "x,1\n1,2\n", "p:1: " },
     { "0x1,y\n1,2\n", "p:1: " },
     { "2\n3\n1 1\n2 2\n",
@@ -132,6 +139,19 @@ test_a_table_opens_as_points (void)
   g_rmdir (folder);
 }
 
+static void
+test_commas_of_spreadsheets_are_decimal (void)
+{
+  SiteSet *set = parse ("1,5;-0,125\n1e2;2,25\n", NULL, NULL);
+
+  g_assert_nonnull (set);
+  g_assert_true (site_set_given (set, 0).x == 1.5);
+  g_assert_true (site_set_given (set, 0).y == -0.125);
+  g_assert_true (site_set_given (set, 1).x == 100);
+  g_assert_true (site_set_given (set, 1).y == 2.25);
+  site_set_free (set);
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -140,6 +160,8 @@ static const struct {
     test_tables_and_rbox_text_are_read },
   { "/point-import/all-else-is-refused-by-its-line",
     test_all_else_is_refused_by_its_line },
+  { "/point-import/commas-of-spreadsheets-are-decimal",
+    test_commas_of_spreadsheets_are_decimal },
   { "/point-import/point-files-stay-strict", test_point_files_stay_strict },
   { "/point-import/a-refused-text-changes-nothing",
     test_a_refused_text_changes_nothing },

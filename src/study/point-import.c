@@ -1,5 +1,6 @@
 #include "point-import.h"
 
+#include "decimal-comma.h"
 #include "document.h"
 #include "lesson-source.h"
 #include "site-file.h"
@@ -193,6 +194,38 @@ parse_rows (const char *text,
   return refuse (name, head->count_line, reason, error);
 }
 
+/* The rows, though they have commas where points are meant; where that is not
+ * sure, nobody guesses. */
+static SiteSet *
+parse_table (const char *text,
+             gsize length,
+             const Head *head,
+             const char *name,
+             gboolean *is_foreign,
+             GError **error)
+{
+  const gsize n_bytes = length - head->length;
+  Head rest = *head;
+  g_autofree char *rows = NULL;
+
+  switch (decimal_comma_find (text + head->length, n_bytes)) {
+  case DECIMAL_COMMA_NONE:
+    return parse_rows (text, length, head, name, error);
+  case DECIMAL_COMMA_DOUBTFUL:
+    return refuse (name, head->n_lines + 1,
+                   _ ("the commas may be of decimals or of thousands; write "
+                      "decimals with a point, as in 1.5;2.5"),
+                   error);
+  case DECIMAL_COMMA_SURE:
+    break;
+  }
+  if (is_foreign != NULL)
+    *is_foreign = TRUE;
+  rows = decimal_comma_replace (text + head->length, n_bytes);
+  rest.length = 0;
+  return parse_rows (rows, n_bytes, &rest, name, error);
+}
+
 SiteSet *
 point_import_parse (const char *text,
                     gsize length,
@@ -216,7 +249,7 @@ point_import_parse (const char *text,
     return refuse_columns (name, head.n_lines, n_headings, error);
   if (has_counts && dimension != 2)
     return refuse_columns (name, head.dimension_line, (guint)dimension, error);
-  return parse_rows (text, length, &head, name, error);
+  return parse_table (text, length, &head, name, is_foreign, error);
 }
 
 /* Into a session */
