@@ -76,27 +76,54 @@ add_strokes (SquareSums *sums, const Drawing *drawing, const uint64_t *styles)
   }
 }
 
-static void
-begin_sums (SquareSums *sums, const SquareGrid *grid)
-{
-  const uint32_t n = (uint32_t)(grid->columns * grid->rows);
+/* Rows of squares. */
+typedef struct Rows {
+  int first, end;
+} Rows;
 
-  sums->grid = *grid;
-  if (n > sums->sums_room)
-    sums->sums
-        = memory_grow (sums->sums, &sums->sums_room, n, sizeof *sums->sums);
-  memset (sums->sums, 0, n * sizeof *sums->sums);
+static void
+take_in (Rows *rows, const SquareGrid *grid, const PixelBox *box)
+{
+  const float top = box->top * (float)grid->per_px - 1;
+  const float bottom = box->bottom * (float)grid->per_px + 2;
+
+  if (top < (float)rows->first)
+    rows->first = top > 0 ? (int)top : 0;
+  if (bottom > (float)rows->end)
+    rows->end = bottom < (float)grid->rows ? (int)bottom : grid->rows;
 }
 
-void
-square_sums_set (SquareSums *sums,
-                 const SquareGrid *grid,
-                 const Drawing *drawing)
+/* Takes in the rows in which a drawing has something, and some near them. */
+static void
+take_in_drawing (Rows *rows, const SquareGrid *grid, const Drawing *drawing)
+{
+  uint32_t i;
+
+  for (i = 0; i < drawing->n_strokes; i++)
+    take_in (rows, grid, &drawing->strokes[i].box);
+  for (i = 0; i < drawing->n_placed; i++)
+    take_in (rows, grid, &drawing->placed[i].box);
+}
+
+/* Only the sums in @rows are used: what is lit lies in few of them. */
+static void
+begin_sums (SquareSums *sums, const SquareGrid *grid, Rows rows)
+{
+  const size_t columns = (size_t)grid->columns;
+  const size_t first = (size_t)rows.first * columns;
+
+  sums->grid = *grid;
+  sums->sums = memory_room ((size_t)grid->rows * columns, sizeof *sums->sums);
+  memset (&sums->sums[first], 0,
+          ((size_t)rows.end * columns - first) * sizeof *sums->sums);
+}
+
+static void
+sum_up (SquareSums *sums, const Drawing *drawing)
 {
   uint64_t *styles = memory_new (drawing->n_styles, sizeof *styles);
   uint32_t i;
 
-  begin_sums (sums, grid);
   for (i = 0; i < drawing->n_styles; i++)
     styles[i] = mark_of_style (&drawing->styles[i]);
   add_strokes (sums, drawing, styles);
@@ -107,40 +134,25 @@ square_sums_set (SquareSums *sums,
 }
 
 void
-square_sums_clear (SquareSums *sums)
-{
-  free (sums->sums);
-}
-
-void
-square_sums_compare (const SquareSums *before,
-                     const SquareSums *after,
-                     Squares *squares)
-{
-  const int n = squares->grid.columns * squares->grid.rows;
-  int i;
-
-  for (i = 0; i < n; i++)
-    if (before->sums[i] != after->sums[i])
-      squares->is_marked[i] = true;
-}
-
-static bool
-is_empty (const Drawing *drawing)
-{
-  return drawing->n_strokes == 0 && drawing->n_placed == 0;
-}
-
-void
 drawing_compare (const Drawing *before, const Drawing *after, Squares *squares)
 {
-  SquareSums sums[2] = { { .sums = NULL }, { .sums = NULL } };
+  const SquareGrid *grid = &squares->grid;
+  const Drawing *const drawings[2] = { before, after };
+  Rows rows = { grid->rows, 0 };
+  SquareSums sums[2];
+  int i;
 
-  if (is_empty (before) && is_empty (after))
+  for (i = 0; i < 2; i++)
+    take_in_drawing (&rows, grid, drawings[i]);
+  if (rows.first >= rows.end)
     return;
-  square_sums_set (&sums[0], &squares->grid, before);
-  square_sums_set (&sums[1], &squares->grid, after);
-  square_sums_compare (&sums[0], &sums[1], squares);
-  square_sums_clear (&sums[0]);
-  square_sums_clear (&sums[1]);
+  for (i = 0; i < 2; i++) {
+    begin_sums (&sums[i], grid, rows);
+    sum_up (&sums[i], drawings[i]);
+  }
+  for (i = rows.first * grid->columns; i < rows.end * grid->columns; i++)
+    if (sums[0].sums[i] != sums[1].sums[i])
+      squares->is_marked[i] = true;
+  for (i = 0; i < 2; i++)
+    free (sums[i].sums);
 }

@@ -52,22 +52,10 @@ cairo_region_t *squares_region (const Squares *squares);
 typedef struct SquareSums {
   SquareGrid grid;
   uint64_t *sums;
-  uint32_t sums_room;
 } SquareSums;
 
-/* Sums up @drawing; the room of the last one is used again. Sums of two
- * drawings mean the same when their names are of one edition. */
-void square_sums_set (SquareSums *sums,
-                      const SquareGrid *grid,
-                      const Drawing *drawing);
-void square_sums_clear (SquareSums *sums);
-
-/* Marks in @squares where two drawings differ; all of one grid. */
-void square_sums_compare (const SquareSums *before,
-                          const SquareSums *after,
-                          Squares *squares);
-
-/* The same of drawings that are not summed up yet. */
+/* Marks in @squares where two drawings differ, whose names are of one
+ * edition. */
 void
 drawing_compare (const Drawing *before, const Drawing *after, Squares *squares);
 
