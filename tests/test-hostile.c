@@ -415,11 +415,24 @@ test_a_pipe_nobody_writes_to_does_not_wait (void)
 {
   char *folder = limited_make_folder ();
   g_autofree char *pipe = g_build_filename (folder, "l.md", NULL);
+  g_autofree char *points = g_build_filename (folder, "p.txt", NULL);
+  g_autofree char *command = NULL;
   LimitedResult result;
 
   g_assert_cmpint (mkfifo (pipe, 0600), ==, 0);
   result = limited_run (folder, "lint", "l.md");
   check_message ("a pipe", &result);
+  limited_result_clear (&result);
+  g_assert_cmpint (mkfifo (points, 0600), ==, 0);
+  result = limited_run (folder, "compute", "p.txt");
+  g_assert_cmpint (result.status, ==, 66);
+  g_assert_nonnull (strstr (result.err, "p.txt: it is a pipe to which nobody"));
+  limited_result_clear (&result);
+  /* Who is late is waited for. */
+  command = g_strdup_printf ("sh -c 'sleep 0.2; echo 0 0 >%s'", points);
+  g_assert_true (g_spawn_command_line_async (command, NULL));
+  result = limited_run (folder, "compute", "p.txt");
+  g_assert_cmpint (result.status, ==, 0);
   limited_result_clear (&result);
   result = limited_run (folder, "lint", "absent.md");
   g_assert_cmpint (result.status, ==, 66);

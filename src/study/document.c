@@ -52,7 +52,9 @@ refuse_file (DocumentError code, const char *path, int reason, GError **error)
   g_autofree char *shown = display_path (path);
 
   g_set_error (error, DOCUMENT_ERROR, (gint)code, "%s: %s", shown,
-               g_strerror (reason));
+               code == DOCUMENT_ERROR_CANNOT_OPEN && reason == EPIPE
+                   ? _ ("it is a pipe to which nobody writes")
+                   : g_strerror (reason));
   return FALSE;
 }
 

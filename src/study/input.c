@@ -3,8 +3,13 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <glib/gstdio.h>
+#include <poll.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+#define PATIENCE 20 /* how often it is looked whether somebody writes */
+#define LOOK_MS 100
 
 gboolean
 input_is_standard (const char *path)
@@ -13,18 +18,51 @@ input_is_standard (const char *path)
 }
 
 int
-input_open (const char *path, gboolean waits)
+input_open (const char *path)
 {
   int descriptor;
 
   if (input_is_standard (path))
     return fcntl (STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
-  if (waits)
-    return g_open (path, O_RDONLY | O_CLOEXEC, 0);
   descriptor = g_open (path, O_RDONLY | O_CLOEXEC | O_NONBLOCK, 0);
   if (descriptor >= 0)
     fcntl (descriptor, F_SETFL, 0);
   return descriptor;
+}
+
+static gboolean
+is_pipe (int descriptor)
+{
+  struct stat status;
+
+  return fstat (descriptor, &status) == 0 && S_ISFIFO (status.st_mode);
+}
+
+/* A pipe has an end also while nobody has opened it to write: somebody may be
+ * about to, but nobody is waited for for ever.
+ *
+ * Returns: FALSE with errno EPIPE when nobody writes. */
+static gboolean
+await_writer (int descriptor, GString *text)
+{
+  struct pollfd pipe = { .fd = descriptor, .events = POLLIN };
+  const int flags = fcntl (descriptor, F_GETFL);
+  gboolean is_there = FALSE;
+
+  fcntl (descriptor, F_SETFL, flags | O_NONBLOCK);
+  for (guint i = 0; i < PATIENCE && !is_there; i++) {
+    const gboolean was_written = poll (&pipe, 1, LOOK_MS) > 0;
+    char byte;
+    const gssize n = read (descriptor, &byte, 1);
+
+    if (n > 0)
+      g_string_append_c (text, byte);
+    /* Who has not written yet, but holds it open, makes it fail. */
+    is_there = was_written || n != 0;
+  }
+  fcntl (descriptor, F_SETFL, flags);
+  errno = EPIPE;
+  return is_there;
 }
 
 /* Returns: whether all could be read; if not, errno says why. */
@@ -49,7 +87,7 @@ read_all (int descriptor, GString *text)
 char *
 input_read (const char *path, gsize *length)
 {
-  const int descriptor = input_open (path, TRUE);
+  const int descriptor = input_open (path);
   GString *text;
   gboolean is_read;
   int reason;
@@ -57,7 +95,9 @@ input_read (const char *path, gsize *length)
   if (descriptor < 0)
     return NULL;
   text = g_string_new (NULL);
-  is_read = read_all (descriptor, text);
+  is_read = (input_is_standard (path) || !is_pipe (descriptor)
+             || await_writer (descriptor, text))
+            && read_all (descriptor, text);
   reason = errno;
   close (descriptor);
   errno = reason;

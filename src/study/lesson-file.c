@@ -45,7 +45,7 @@ read_descriptor (int descriptor, gsize *length, GError **error)
 char *
 lesson_read (const char *path, gsize *length, GError **error)
 {
-  const int descriptor = input_open (path, FALSE);
+  const int descriptor = input_open (path);
   g_autofree char *name = display_path (path);
   g_autoptr (GError) reason = NULL;
   char *text = NULL;
