@@ -11,8 +11,9 @@
 #define REACH_PX 12.0
 
 /* A picture that was painted roughly, because something moved, is painted well
- * when nothing has moved for so long. It may itself take 120 ms where OpenGL is
- * software; pointers that move tell so every 20. */
+ * when nothing has moved for so long, also when a rough one of the last motion
+ * is still to come. It may itself take 120 ms where OpenGL is software;
+ * pointers that move tell so every 20. */
 #define SETTLE_MS 40
 
 /* To light so much takes as long as a picture of a large set. */
@@ -28,7 +29,7 @@ struct CanvasShow {
   gboolean is_refused;   /* the person does not wait for this picture */
   gboolean is_undressed; /* it is not of the theme and sizes that are wanted */
   gboolean is_moving;
-  gboolean is_settling; /* the next picture is to be a good one */
+  gint64 moved_us; /* when something has last changed */
   guint settle_source;
   char *trouble; /* to be told: why OpenGL does not paint */
   guint trouble_source;
@@ -124,13 +125,6 @@ canvas_show_pick (CanvasShow *show, const double at_px[2])
   return canvas_scene_pick (show->scene, &projection, at_px, REACH_PX);
 }
 
-/* Whether the light on the scene is made in no time. */
-static gboolean
-has_little_light (CanvasShow *show)
-{
-  return session_get_look (show->session)->n_selected <= MUCH_LIGHT;
-}
-
 /* Whether the scene is there, or made in no time. */
 static gboolean
 has_scene (CanvasShow *show)
@@ -139,7 +133,7 @@ has_scene (CanvasShow *show)
 
   if (canvas_scene_is_valid (show->scene))
     return TRUE;
-  if (!canvas_scene_has_stock (show->scene) || !has_little_light (show))
+  if (!canvas_scene_has_stock (show->scene))
     return FALSE;
   look = get_look (show);
   return canvas_scene_relight (show->scene, show->session,
@@ -167,8 +161,8 @@ canvas_show_has_role (CanvasShow *show, Role role)
   return canvas_scene_has_role (show->scene, role);
 }
 
-void
-canvas_show_invalidate (CanvasShow *show, CanvasChange change)
+static void
+invalidate (CanvasShow *show, CanvasChange change)
 {
   const gboolean is_only_look = change == CANVAS_CHANGE_LOOK;
 
@@ -184,7 +178,25 @@ canvas_show_invalidate (CanvasShow *show, CanvasChange change)
   gtk_widget_queue_draw (GTK_WIDGET (show->canvas));
 }
 
+void
+canvas_show_invalidate (CanvasShow *show, CanvasChange change)
+{
+  show->moved_us = g_get_monotonic_time ();
+  invalidate (show, change);
+}
+
 /* Rough pictures */
+
+/* Returns: how long it will be until nothing has moved for a while. */
+static gint
+ms_to_rest (const CanvasShow *show)
+{
+  const gint64 still_us = g_get_monotonic_time () - show->moved_us;
+
+  return MAX (0, SETTLE_MS - (gint)(still_us / 1000));
+}
+
+static void settle_later (CanvasShow *show);
 
 static gboolean
 on_settled (gpointer user)
@@ -192,18 +204,19 @@ on_settled (gpointer user)
   CanvasShow *show = user;
 
   show->settle_source = 0;
-  show->is_settling = TRUE;
-  canvas_show_invalidate (show, CANVAS_CHANGE_PICTURE);
+  if (ms_to_rest (show) > 0)
+    settle_later (show);
+  else
+    invalidate (show, CANVAS_CHANGE_PICTURE);
   return G_SOURCE_REMOVE;
 }
 
-/* Puts off the good picture until nothing has moved for a while. */
 static void
 settle_later (CanvasShow *show)
 {
-  if (show->settle_source != 0)
-    g_source_remove (show->settle_source);
-  show->settle_source = g_timeout_add (SETTLE_MS, on_settled, show);
+  if (show->settle_source == 0)
+    show->settle_source
+        = g_timeout_add ((guint)ms_to_rest (show), on_settled, show);
 }
 
 void
@@ -215,7 +228,7 @@ canvas_show_set_moving (CanvasShow *show, gboolean moving)
 static gboolean
 may_be_rough (const CanvasShow *show)
 {
-  return show->is_moving && !show->is_settling;
+  return show->is_moving && ms_to_rest (show) > 0;
 }
 
 /* Trouble */
@@ -248,7 +261,6 @@ note_painted (CanvasShow *show, const GError *error)
 {
   if (error != NULL)
     tell_trouble (show, error);
-  show->is_settling = FALSE;
   if (canvas_picture_is_valid (show->picture))
     show->is_undressed = FALSE;
   if (canvas_picture_is_rough (show->picture))
@@ -330,9 +342,9 @@ paint_later (CanvasShow *show, const Projection *projection)
   if (show->work != NULL)
     return TRUE;
   look = get_look (show);
-  if (!has_scene (show))
+  if (!canvas_scene_relight (show->scene, show->session, pane, &look))
     showing = session_keep_showing (show->session, pane, &look);
-  else if (has_little_light (show)
+  else if (look.n_selected <= MUCH_LIGHT
            && canvas_picture_has_stock (
                show->picture, canvas_scene_get (show->scene), projection,
                canvas_get_theme (show->canvas)))
