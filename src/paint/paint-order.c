@@ -24,7 +24,8 @@ find_depths (const Painter *painter,
   uint32_t i;
 
   if (items == NULL) {
-    memcpy (depths, painter->depths, n);
+    if (n > 0) /* else there may be none to copy */
+      memcpy (depths, painter->depths, n);
     return;
   }
   for (i = 0; i < n; i++)
