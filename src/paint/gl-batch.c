@@ -73,6 +73,7 @@ add_polygon (GlBatch *batch,
         local);
   }
   gl_batch_join (batch, n);
+  batch->n_hard = batch->n_indices;
 }
 
 static BarePlace
@@ -323,7 +324,7 @@ gl_batch_set (GlBatch *batch, const Drawing *drawing, double scale)
 {
   uint32_t i, run = 0;
 
-  batch->n_vertices = batch->n_indices = 0;
+  batch->n_vertices = batch->n_indices = batch->n_hard = 0;
   bare_begin (&batch->bare);
   batch->scale = scale;
   batch->is_sketch = drawing->is_sketch;

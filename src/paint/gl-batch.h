@@ -35,7 +35,9 @@ typedef struct GlBatch {
   Bare bare;    /* of a sketch, each before the index that is next */
   double scale; /* device pixels per px */
   const Theme *theme;
-  bool is_sketch; /* of the drawing: areas are bare */
+  uint32_t n_hard; /* indices up to the last area: only areas have edges that
+                      the shader does not soften */
+  bool is_sketch;  /* of the drawing: areas are bare */
 } GlBatch;
 
 void gl_batch_clear (GlBatch *batch);

@@ -260,11 +260,10 @@ fill_buffer (unsigned target, unsigned buffer, const void *from, size_t n_bytes)
 }
 
 static void
-draw (const GlPainter *painter)
+fill_buffers (const GlPainter *painter)
 {
   const GlBatch *batch = &painter->batch;
   const Bare *bare = &batch->bare;
-  uint32_t i, drawn = 0;
 
   glBindVertexArray (painter->vertex_arrays[0]);
   fill_buffer (GL_ARRAY_BUFFER, painter->buffers[0], batch->vertices,
@@ -273,6 +272,14 @@ draw (const GlPainter *painter)
                batch->n_indices * sizeof *batch->indices);
   fill_buffer (GL_ARRAY_BUFFER, painter->buffers[1], bare->vertices,
                bare->n_vertices * sizeof *bare->vertices);
+}
+
+static void
+draw_sketch (const GlPainter *painter)
+{
+  const Bare *bare = &painter->batch.bare;
+  uint32_t i, drawn = 0;
+
   for (i = 0; i < bare->n_runs; i++) {
     draw_strokes (painter, drawn, bare->runs[i].place.before);
     drawn = bare->runs[i].place.before;
@@ -281,7 +288,25 @@ draw (const GlPainter *painter)
     if (bare->runs[i].n >= LONG_RUN)
       glFlush ();
   }
-  draw_strokes (painter, drawn, batch->n_indices);
+  draw_strokes (painter, drawn, painter->batch.n_indices);
+}
+
+/* Several samples a pixel are there for the edges of areas. What comes after
+ * the last of them takes half of the time without. */
+static void
+draw_finely (const GlPainter *painter, unsigned framebuffer)
+{
+  const GlBatch *batch = &painter->batch;
+
+  draw_strokes (painter, 0, batch->n_hard);
+  resolve (painter, framebuffer);
+  glBindFramebuffer (GL_FRAMEBUFFER, framebuffer);
+  draw_strokes (painter, batch->n_hard, batch->n_indices);
+}
+
+static void
+clear_state (void)
+{
   glBindVertexArray (0);
   glBindBuffer (GL_ARRAY_BUFFER, 0);
   glUseProgram (0);
@@ -322,7 +347,8 @@ gl_painter_paint (GlPainter *painter,
 {
   const int size[2] = { (int)ceil (drawing->width * target->scale),
                         (int)ceil (drawing->height * target->scale) };
-  const bool has_samples = !target->is_rough && painter->n_samples > 1;
+  const bool has_samples
+      = !target->is_rough && !drawing->is_sketch && painter->n_samples > 1;
 
   gl_batch_set (&painter->batch, drawing, target->scale);
   gl_atlas_add_names (painter->atlas, &painter->batch, drawing);
@@ -331,9 +357,12 @@ gl_painter_paint (GlPainter *painter,
   else
     glBindFramebuffer (GL_FRAMEBUFFER, target->framebuffer);
   set_state (painter, drawing->theme, size);
-  draw (painter);
+  fill_buffers (painter);
   if (has_samples)
-    resolve (painter, target->framebuffer);
+    draw_finely (painter, target->framebuffer);
+  else
+    draw_sketch (painter);
+  clear_state ();
   glBindFramebuffer (GL_FRAMEBUFFER, target->framebuffer);
   return check_frame (error);
 }
