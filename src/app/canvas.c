@@ -19,6 +19,7 @@ typedef struct CanvasPrivate {
   guint pane;
   CanvasShow *show; /* NULL: no session yet */
   Theme theme;
+  Projection projection; /* of the plane, when the session last changed */
   Object cursor;
   gboolean shows_focus; /* the keyboard came here by Tab */
   GtkGesture *gestures[N_CANVAS_GESTURES];
@@ -322,13 +323,27 @@ change_of (Canvas *canvas, guint changes)
   return changes == CHANGED_LOOK ? CANVAS_CHANGE_LOOK : CANVAS_CHANGE_SCENE;
 }
 
+/* Whether it was the camera of space that has moved, and this is the plane. */
+static gboolean
+is_elsewhere (Canvas *canvas, guint changes)
+{
+  CanvasPrivate *p = priv (canvas);
+  Projection before = p->projection;
+
+  if (HULL2VD_CANVAS_GET_CLASS (canvas)->is_space)
+    return FALSE;
+  p->projection = canvas_get_projection (canvas);
+  return (changes & MATTERS) == CHANGED_CAMERA
+         && projection_equal (&before, &p->projection);
+}
+
 static void
 on_changed (Session *session, guint changes, Canvas *canvas)
 {
   CanvasShow *show = priv (canvas)->show;
 
   (void)session;
-  if ((changes & MATTERS) == 0)
+  if ((changes & MATTERS) == 0 || is_elsewhere (canvas, changes))
     return;
   canvas_show_check_work (show);
   canvas_show_invalidate (show, change_of (canvas, changes));
