@@ -7,12 +7,18 @@
  * something moves. */
 #define SLOW_US 12000
 
+/* So many items, 1 500 sites with all layers, take OpenGL too long at rest
+ * where the processor alone does its work; with six times as many a sketch
+ * takes as long as the raster's whole picture. */
+#define MANY_ITEMS 30000
+
 /* What a picture is made with, and for what. */
 struct PictureWork {
   Easel *easel;
   Names *names; /* for OpenGL */
   Drawing *drawing;
   gboolean is_for_gl, is_rough;
+  gboolean is_software; /* OpenGL is */
   Projection projection;
   Theme theme;
   int scale;
@@ -26,6 +32,7 @@ struct CanvasPicture {
   PictureWork *tools;       /* NULL: lent */
   cairo_surface_t *surface; /* of the easel's picture, where the window is */
   GlView *gl;               /* NULL: the easel paints */
+  gboolean is_by_gl;        /* what is shown */
   gboolean is_rough;
   gint64 cost_us; /* of the last picture by OpenGL at full quality */
 };
@@ -166,7 +173,7 @@ show_easel (CanvasPicture *picture, PictureWork *work)
   }
   if (!cairo_region_is_empty (work->region))
     send (picture, from, work);
-  picture->is_rough = FALSE;
+  picture->is_rough = picture->is_by_gl = FALSE;
 }
 
 /* Returns: FALSE with @error set when OpenGL is not to be had. Software is
@@ -192,6 +199,7 @@ show_gl (CanvasPicture *picture, const PictureWork *work, GError **error)
   const gint64 start = g_get_monotonic_time ();
 
   picture->is_rough = work->is_rough;
+  picture->is_by_gl = TRUE;
   if (!gl_view_paint (picture->gl, work->drawing, work->is_rough, error)) {
     g_clear_pointer (&picture->gl, gl_view_free);
     picture->may_use_gl = FALSE;
@@ -215,7 +223,9 @@ canvas_picture_lend (CanvasPicture *picture,
   get_tools (picture);
   work = g_steal_pointer (&picture->tools);
   work->is_for_gl = picture->gl != NULL;
-  work->is_rough = work->is_for_gl && is_moving && picture->cost_us > SLOW_US;
+  work->is_software = work->is_for_gl && gl_view_is_slow (picture->gl);
+  work->is_rough = work->is_for_gl && is_moving
+                   && (work->is_software || picture->cost_us > SLOW_US);
   work->projection = *projection;
   work->theme = *theme;
   work->scale = gtk_widget_get_scale_factor (picture->widget);
@@ -225,6 +235,8 @@ canvas_picture_lend (CanvasPicture *picture,
 void
 picture_work_do (PictureWork *work, const Scene *scene)
 {
+  if (work->is_software && scene->stock.n_items >= MANY_ITEMS)
+    work->is_for_gl = work->is_rough = FALSE;
   if (work->is_rough) {
     drawing_set_sketch (work->drawing, scene, &work->projection, &work->theme,
                         work->scale);
@@ -256,13 +268,13 @@ canvas_picture_take_back (CanvasPicture *picture,
   picture_work_free (picture->tools);
   picture->tools = work;
   /* Where the window has gone, or OpenGL, nothing can be shown: once more. */
-  is_up_to_date = is_up_to_date && work->is_for_gl == (picture->gl != NULL)
+  is_up_to_date = is_up_to_date && (!work->is_for_gl || picture->gl != NULL)
                   && gtk_widget_get_realized (picture->widget);
   if (gtk_widget_get_realized (picture->widget)) {
-    if (picture->gl != NULL && work->is_for_gl)
-      is_shown = show_gl (picture, work, error);
-    else if (picture->gl == NULL && !work->is_for_gl)
+    if (!work->is_for_gl)
       show_easel (picture, work);
+    else if (picture->gl != NULL)
+      is_shown = show_gl (picture, work, error);
   }
   g_clear_pointer (&work->region, cairo_region_destroy);
   picture->is_valid = is_up_to_date && is_shown;
@@ -278,7 +290,7 @@ canvas_picture_has_stock (const CanvasPicture *picture,
 {
   const int scale = gtk_widget_get_scale_factor (picture->widget);
 
-  return picture->gl == NULL && picture->tools != NULL
+  return !picture->is_by_gl && picture->tools != NULL
          && easel_has_stock (picture->tools->easel, scene, projection, theme,
                              scale);
 }
@@ -312,7 +324,7 @@ canvas_picture_update (CanvasPicture *picture,
 gboolean
 canvas_picture_draw (CanvasPicture *picture, cairo_t *cr)
 {
-  if (picture->gl != NULL && picture->is_painted) {
+  if (picture->is_by_gl && picture->gl != NULL && picture->is_painted) {
     gl_view_draw (picture->gl, cr);
     return TRUE;
   }

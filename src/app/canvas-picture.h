@@ -1,7 +1,9 @@
 /* The picture of a canvas: kept until something changes, painted by the
  * raster or by OpenGL. HULL2VD_RENDERER=gl|cairo decides which; without it
  * OpenGL paints where a graphics processor does the work, and the raster where
- * OpenGL would be software too: it is faster there (CONTRIBUTING.md). */
+ * OpenGL would be software too: it is faster there (CONTRIBUTING.md). Where
+ * software is asked for, it paints all but scenes so large that a person would
+ * wait for it: those the raster paints all the same. */
 #ifndef CANVAS_PICTURE_H
 #define CANVAS_PICTURE_H
 

@@ -23,6 +23,9 @@ void gl_view_free (GlView *view);
  * raster is faster. */
 gboolean gl_view_is_software (GtkWidget *widget);
 
+/* The same of a view that is there. */
+gboolean gl_view_is_slow (const GlView *view);
+
 /* Paints the drawing anew; roughly while something moves.
  *
  * Returns: FALSE with @error set; then the view is of no use any more. */
