@@ -10,7 +10,7 @@
 typedef struct PerformJudge {
   Judge *judge;
   guint *waits_at; /* per site: its facet, or INDEX_NONE */
-  guint facet;     /* that was chosen for the round in hand */
+  guint facet;     /* that was chosen for the current round */
 } PerformJudge;
 
 PerformJudge *perform_judge_new (const SiteSet *set);

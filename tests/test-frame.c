@@ -135,7 +135,7 @@ at_every_step (gconstpointer check)
   fixture_for_each (4, 12, ORDER_FURTHEST, visit_steps);
 }
 
-/* The events of one kind in the round in hand so far. */
+/* The events of one kind in the current round so far. */
 static uint32_t
 count_events (const Frame *frame, EventKind kind)
 {
@@ -237,7 +237,7 @@ check_triangulation_waits (const Frame *frame, const Moment *moment)
   moment_assert (moment, n_standing == moment->n_facets);
 }
 
-/* What the events so far say of a facet in the round in hand. */
+/* What the events so far say of a facet in the current round. */
 static uint32_t
 roles_by_events (const Frame *frame, uint32_t facet)
 {
@@ -276,7 +276,7 @@ check_roles (const Frame *frame, const Moment *moment)
 }
 
 /* Once all visible facets are found, the Voronoi vertices that die are those
- * whose circle holds the site in hand. */
+ * whose circle holds the current site. */
 static void
 check_dying (const Frame *frame, const Moment *moment)
 {

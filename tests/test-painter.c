@@ -215,7 +215,7 @@ is_drawn_over (const SceneItem *item)
          && item->object.kind != OBJECT_SITE && item->role != ROLE_DROP;
 }
 
-/* Whether a lift is hidden by its own facets, and the round in hand is not
+/* Whether a lift is hidden by its own facets, and the current round is not
  * about it. */
 static gboolean
 is_behind_hull (const LookScene *look, Point3 lift)

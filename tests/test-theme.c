@@ -76,7 +76,7 @@ add_facet (GArray *grounds,
   add (grounds, sight_over (shaded, beneath), name, 2);
 }
 
-/* The plane with triangles of the round in hand upon it. A cell is loud once
+/* The plane with triangles of the current round upon it. A cell is loud once
  * the visible ones are gone. */
 static GArray *
 triangle_grounds (const Theme *theme)

@@ -20,7 +20,7 @@ struct _LegendPanel {
 
 G_DEFINE_TYPE (LegendPanel, legend_panel, GTK_TYPE_BOX)
 
-/* Short, for two columns. NULL: speaks for itself. {p} is the site in hand,
+/* Short, for two columns. NULL: speaks for itself. {p} is the current site,
  * f the facet selected. */
 static const char *const role_texts[N_ROLES] = {
   [ROLE_SHEET] = N_ ("paraboloid"),

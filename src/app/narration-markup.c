@@ -20,7 +20,7 @@ static const KeyWord key_words[] = {
 };
 
 typedef struct Markup {
-  guint apex; /* site in hand, or INDEX_NONE */
+  guint apex; /* current site, or INDEX_NONE */
   const Theme *theme;
   Colour background;
 } Markup;

@@ -11,7 +11,7 @@
 G_BEGIN_DECLS
 
 /* Returns: (transfer full): Pango markup of @sentence, a narration in
- *          which site @apex is in hand, to be read on @background. */
+ *          @apex is the current site, to be read on @background. */
 char *narration_to_markup (const char *sentence,
                            guint apex,
                            const Theme *theme,

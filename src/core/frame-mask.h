@@ -10,7 +10,7 @@ typedef struct FrameMask {
                   that there is no horizon and no dying vertex */
 } FrameMask;
 
-/* The site in hand stays. Shares the diagrams of @frame, which must outlive
+/* The current site stays. Shares the diagrams of @frame, which must outlive
  * it. */
 void frame_mask_init (FrameMask *mask, const Frame *frame);
 void frame_mask_clear (FrameMask *mask);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The round in hand at the frame's step, until its end; NULL between rounds
+/* The current round at the frame's step, until its end; NULL between rounds
  * and after the last. */
 static const RoundRow *
 round_in_hand (const Frame *frame)
@@ -233,7 +233,7 @@ count_facets (Frame *frame)
   }
 }
 
-/* The counts of the round in hand stay until the next begins. */
+/* The counts of the current round stay until the next begins. */
 static void
 count_round (Frame *frame)
 {

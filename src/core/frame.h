@@ -18,7 +18,7 @@
 typedef enum SiteState {
   SITE_WAITING,   /* not on the hull yet */
   SITE_OUTSIDE,   /* waiting, in the outside set of the selected facet */
-  SITE_APEX,      /* the site of the round in hand */
+  SITE_APEX,      /* the site of the current round */
   SITE_INSERTED,  /* a vertex of the hull */
   SITE_DUPLICATE, /* equals an earlier site and is done */
   SITE_IGNORED,   /* lies inside a hull in the plane; never on lifts */
@@ -33,13 +33,13 @@ typedef struct FrameSite {
 /* What a facet is at this step; a facet may be several things. */
 typedef enum FacetRole {
   FACET_STANDS = 1,   /* belongs to the triangulation shown */
-  FACET_SELECTED = 2, /* its outside set gave the site in hand */
-  FACET_VISIBLE = 4,  /* seen by the site in hand; will go */
-  FACET_CONE = 8,     /* born in the round in hand, an overlay until the
+  FACET_SELECTED = 2, /* its outside set gave the current site */
+  FACET_VISIBLE = 4,  /* seen by the current site; will go */
+  FACET_CONE = 8,     /* born in the current round, an overlay until the
                          last visible facet is retired */
   FACET_RETIRED = 16, /* visible and gone from the hull, still part of the
                          triangulation shown */
-  FACET_NEW = 32,     /* born in the round in hand, which is retired */
+  FACET_NEW = 32,     /* born in the current round, which is retired */
 } FacetRole;
 
 typedef struct FrameFacet {
@@ -63,8 +63,8 @@ typedef struct FrameHorizon {
 typedef struct FrameCounts {
   uint32_t n_inserted;                      /* distinct sites on the hull */
   uint32_t facets, lower, upper, vertical;  /* of the triangulation shown */
-  uint32_t visible, horizon, cone, retired; /* of the round in hand so far */
-  uint32_t waiting;      /* distinct sites in outside sets or in hand */
+  uint32_t visible, horizon, cone, retired; /* of the current round so far */
+  uint32_t waiting;      /* distinct sites in outside sets, or current */
   uint32_t outside_sets; /* facets whose outside set is not empty */
   uint32_t triangles, delaunay_edges;
   uint32_t voronoi_vertices, voronoi_edges, rays;
@@ -83,8 +83,8 @@ typedef struct Frame {
   uint32_t n_ridges;
   FrameHorizon *horizon; /* so far, in loop order */
   uint32_t n_horizon;
-  bool *is_dying;    /* per Voronoi vertex: its circle contains the site in
-                        hand, as far as found */
+  bool *is_dying;    /* per Voronoi vertex: its circle contains the current
+                        site, as far as found */
   Delaunay delaunay; /* at the base */
   Voronoi voronoi;
   FrameCounts counts;

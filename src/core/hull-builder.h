@@ -1,4 +1,4 @@
-/* What the parts of QuickHull share: the facets and the round in hand.
+/* What the parts of QuickHull share: the facets and the current round.
  * Private to batch, hull, simplex, outside, hand-over, horizon and walk.
  *
  * These parts are compiled several times from one source. As they are, they

@@ -15,9 +15,9 @@ typedef struct PlanarFrameEdge {
 typedef struct PlanarCounts {
   uint32_t corners; /* of the hull shown */
   uint32_t inside;  /* distinct sites ignored so far */
-  uint32_t waiting; /* distinct sites in outside sets or in hand */
+  uint32_t waiting; /* distinct sites in outside sets, or current */
   uint32_t outside_sets;
-  uint32_t visible, horizon, cone, retired; /* of the round in hand so far */
+  uint32_t visible, horizon, cone, retired; /* of the current round so far */
 } PlanarCounts;
 
 typedef struct PlanarFrame {

@@ -57,7 +57,7 @@ void planar_trace_free (PlanarTrace *trace);
  *          before the round. */
 uint32_t planar_trace_base (const PlanarTrace *trace, uint32_t step);
 
-/* Returns: the index into rounds of the round in hand, INDEX_NONE before. */
+/* Returns: the index into rounds of the current round, INDEX_NONE before. */
 uint32_t planar_trace_round (const PlanarTrace *trace, uint32_t step);
 
 /* One sentence for the event that led to @step; @translate may be NULL. */

@@ -21,7 +21,7 @@ typedef struct SceneBuilder {
   SceneLook masked; /* is the look, when it masks anything */
   const Event *event;  /* that led to the step, or NULL at the start */
   Event said;          /* what it points to */
-  bool is_round;       /* a round is in hand */
+  bool is_round;       /* there is a current round */
   uint32_t parts;      /* of the active set that are loud, Part bits */
   uint32_t *ridge_of;  /* per Delaunay edge: its row of Trace.ridges; flat
                           input: its own number; for the stock alone */
@@ -61,7 +61,7 @@ void scene_builder_open (SceneBuilder *builder,
                          const SceneLook *look,
                          uint32_t n_labels);
 
-/* A round is in hand, and @phase says what is loud. */
+/* There is a current round, and @phase says what is loud. */
 void scene_builder_round (SceneBuilder *builder, Phase phase);
 
 /* Adds an item of no points yet; points added after it are its own.
@@ -248,7 +248,7 @@ void scene_add_answers (SceneBuilder *builder, bool lifted);
 /* Returns: the facet whose outside set is shown, or INDEX_NONE. */
 uint32_t scene_selected_facet (const SceneBuilder *builder);
 
-/* Returns: whether the hull shown is that after the round in hand and @site
+/* Returns: whether the hull shown is that after the current round and @site
  *          is the site that the round inserted. */
 bool scene_is_new_apex (const SceneBuilder *builder, uint32_t site);
 

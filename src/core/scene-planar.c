@@ -44,8 +44,8 @@ add_area (PlanarScene *planar)
     scene_add_point (&planar->builder, at (planar, frame->corners[i]));
 }
 
-/* What the hull gains: the triangles from the visible edges to the site in
- * hand. */
+/* What the hull gains: the triangles from the visible edges to the
+ * current site. */
 static void
 add_gain (PlanarScene *planar)
 {
@@ -152,7 +152,7 @@ add_drop (PlanarScene *planar, uint32_t edge, uint32_t site)
                        (Object){ OBJECT_SITE, site }, (Point3[2]){ p, foot });
 }
 
-/* The choice: the edge in hand, and how far its outside sites are from it. */
+/* The choice: the current edge, and how far its outside sites are from it. */
 static void
 add_choice (PlanarScene *planar)
 {
@@ -190,7 +190,7 @@ add_site (PlanarScene *planar, uint32_t site)
                   scene_label (&planar->builder, 's', site));
 }
 
-/* The site in hand is drawn last, over all others. */
+/* The current site is drawn last, over all others. */
 static void
 add_sites (PlanarScene *planar)
 {

@@ -23,7 +23,7 @@ add_site (SceneBuilder *builder, uint32_t site)
       scene_at (builder, site, false), scene_label (builder, 's', site));
 }
 
-/* The site in hand is drawn last, over all others. */
+/* The current site is drawn last, over all others. */
 static void
 add_sites (SceneBuilder *builder)
 {

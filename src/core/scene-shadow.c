@@ -260,7 +260,7 @@ add_seen_edge (SceneBuilder *builder, uint32_t facet)
                   ends, false);
 }
 
-/* The site in hand lies beyond the hull edges of vertical facets that it
+/* The current site lies beyond the hull edges of vertical facets that it
  * sees; no triangle would tell. */
 void
 scene_add_seen_edges (SceneBuilder *builder)

@@ -377,7 +377,7 @@ add_marks (SceneBuilder *builder)
   const Frame *frame = builder->frame;
   uint32_t i, k;
 
-  /* The site in hand is drawn last, over all others. */
+  /* The current site is drawn last, over all others. */
   for (k = 0; k < 2; k++)
     for (i = 0; i < frame->n_sites; i++) {
       const SiteState state = frame->sites[i].state;

@@ -75,8 +75,8 @@ typedef enum Role {
   ROLE_PREVIEW_STOLEN,   /* what the new cell would take from another */
   ROLE_PLANE,            /* patch of the plane through a facet */
   ROLE_CIRCLE,           /* circumcircle */
-  ROLE_CIRCLE_VISIBLE,   /* circumcircle that contains the site in hand */
-  ROLE_CIRCLE_UPPER,     /* circle of a visible upper facet: the site in hand
+  ROLE_CIRCLE_VISIBLE,   /* circumcircle that contains the current site */
+  ROLE_CIRCLE_UPPER,     /* circle of a visible upper facet: the current site
                             is outside it */
   ROLE_CIRCLE_SELECTED,  /* circumcircle of the person's selection */
   ROLE_ELLIPSE,          /* where that plane cuts the paraboloid */
@@ -92,7 +92,7 @@ typedef enum Role {
   ROLE_RIDGE,            /* of the hull in space */
   ROLE_HULL_EDGE,        /* of a hull in the plane */
   ROLE_ROUNDED_EDGE,     /* of a hull by rounded signs */
-  ROLE_SIGN_NODE,        /* outline of the node in hand */
+  ROLE_SIGN_NODE,        /* outline of the current node */
   ROLE_EDGE_LINE,        /* all along the line of such an edge */
   ROLE_VISIBLE_EDGE,     /* ridge or Delaunay edge of a visible facet */
   ROLE_SEEN_EDGE, /* in the plane: hull edge of a visible vertical facet */
@@ -206,8 +206,8 @@ bool focus_parse (const char *name, Focus *focus);
 
 /* What is not shown while a question is open. */
 typedef enum SceneMask {
-  MASK_ROUND = 1 << 0,  /* what the round in hand has found: all facets only
-                           stand; the site in hand is shown */
+  MASK_ROUND = 1 << 0,  /* what the current round has found: all facets only
+                           stand; the current site is shown */
   MASK_FACING = 1 << 1, /* lower, upper, vertical; and the diagrams, which are
                            the lower facets */
   MASK_WHY = 1 << 2,    /* whatever explains and foretells: layers why and

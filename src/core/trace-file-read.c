@@ -28,7 +28,7 @@ typedef struct TraceReader {
 
   uint32_t (*facets)[3];
   uint32_t n_facets, facets_room;
-  uint32_t apex; /* the site of the round in hand */
+  uint32_t apex; /* the site of the current round */
   uint32_t n_visible, n_horizon;
 } TraceReader;
 

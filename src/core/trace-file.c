@@ -5,7 +5,7 @@
 
 #include <inttypes.h>
 
-/* What a line does not say, the round in hand says: the site of a ridge of
+/* What a line does not say, the current round says: the site of a ridge of
  * the horizon and of a retired facet is the site that was selected. */
 const char *
 trace_format_fields (EventKind kind)

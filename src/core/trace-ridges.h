@@ -10,7 +10,7 @@ typedef struct BornRidge {
   uint32_t k, right;
 } BornRidge;
 
-/* The cone that the facet in hand belongs to. */
+/* The cone that the current facet belongs to. */
 typedef struct RidgeCursor {
   uint32_t first, end; /* facets */
 } RidgeCursor;

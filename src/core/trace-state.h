@@ -21,7 +21,7 @@ typedef struct TraceState {
   uint32_t *waits_at; /* per site: the facet it went to last, or INDEX_NONE */
   bool *is_inserted;  /* per site */
   uint32_t n_free;    /* distinct sites neither on the hull nor claimed */
-  uint32_t round;     /* the one in hand; 0 before the first */
+  uint32_t round;     /* the current one; 0 before the first */
   uint32_t apex, n_visible, n_cone, n_retired; /* of it */
   Event *horizon;
   uint32_t n_horizon, horizon_room;

@@ -126,7 +126,7 @@ span_has (Span span, uint32_t step)
  *          retired, the step just before the round. */
 uint32_t trace_base (const Trace *trace, uint32_t step);
 
-/* Returns: the index into rounds of the round in hand at @step, that is of
+/* Returns: the index into rounds of the current round at @step, that is of
  *          the last round selected, or INDEX_NONE before the first. */
 uint32_t trace_round (const Trace *trace, uint32_t step);
 

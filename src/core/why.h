@@ -16,8 +16,8 @@ typedef struct Why {
 } Why;
 
 /* The facet is what is selected, or under the pointer, or its Voronoi vertex;
- * the site is the other one of the two, else @measured, else the site in
- * hand. */
+ * the site is the other one of the two, else @measured, else the
+ * current site. */
 Why
 why_find (const Frame *frame, Object selection, Object hover, Object measured);
 

@@ -46,7 +46,7 @@ place_of (Point3 point)
   return stir (stir (stir (1, point.x), point.y), point.z) | 1;
 }
 
-/* What the round in hand is about is drawn over the hull, and so are its
+/* What the current round is about is drawn over the hull, and so are its
  * corners: horizon, cone, facet f. */
 static bool
 is_active (const SceneItem *item)

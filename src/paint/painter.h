@@ -19,7 +19,7 @@ typedef enum PainterFlags {
 
 /* Paints into the rectangle 0, 0, width, height of @projection. Labels avoid
  * marks, lines and each other; those that find no room are left out, but
- * never the site in hand, nor what is lit. Nothing further than
+ * never the current site, nor what is lit. Nothing further than
  * PAINTER_MARGIN px outside the rectangle reaches @cr.
  *
  * Cost: O(items · layers of paint); 1000 sites in about 20 ms.

@@ -1,6 +1,6 @@
 /* Black ink on white paper, for printers and copiers that know no grey: what
  * other themes say in colours is said in hatches, dashes, widths and shapes.
- * What is pale elsewhere is thin here. One grey is left, of the facet in hand,
+ * What is pale elsewhere is thin here. One grey is left, of the current facet,
  * whose heavy line is no other's. */
 #include "theme-private.h"
 

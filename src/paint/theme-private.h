@@ -12,9 +12,9 @@ typedef enum Ink {
   INK_PAPER,      /* of the plane in space; inside hollow marks */
   INK_TEXT,
   INK_SITE,
-  INK_APEX, /* the site in hand, and the person's selection */
+  INK_APEX, /* the current site, and the person's selection */
   INK_HOVER,
-  INK_VISIBLE, /* what the site in hand sees */
+  INK_VISIBLE, /* what the current site sees */
   INK_VISIBLE_UPPER,
   INK_CONE, /* what is new */
   INK_CONE_LINE,

@@ -59,9 +59,9 @@ typedef struct Theme {
   Colour background, text, selection, hover;
   Colour selected_facet; /* and its circle; else as selection */
   Colour selected_area;  /* inside of a selected triangle; alpha 0: its own */
-  Colour apex_text;      /* label of the site in hand */
+  Colour apex_text;      /* label of the current site */
   const char *font;      /* Pango family list of labels */
-  double text_px;        /* labels; that of the site in hand is larger */
+  double text_px;        /* labels; that of the current site is larger */
   double line_factor;    /* theme_style() multiplies widths and dashes by it */
   double mark_factor;    /* and the lengths of marks by this */
   double hatch_px;       /* between two strokes */

@@ -30,7 +30,7 @@ typedef enum ExhibitKind {
 
 #define N_EXHIBITS (EXHIBIT_ROUNDED + 1)
 
-/* The turn of which the signs are shown, and the node of the map in hand. */
+/* The turn of which the signs are shown, and the current node of the map. */
 typedef struct ExhibitTurn {
   gboolean is_named; /* else the exhibit finds a wrong one */
   guint sites[3];    /* the first is the one that takes all places */
@@ -50,7 +50,7 @@ void exhibit_free (Exhibit *exhibit);
 ExhibitKind exhibit_kind (const Exhibit *exhibit);
 const Course *exhibit_course (const Exhibit *exhibit);
 
-/* Puts another node of the sign map in hand. */
+/* Makes another node of the sign map the current one. */
 void exhibit_set_node (Exhibit *exhibit, const guint node[2]);
 
 /* The sentence for @step, as narration_write(). */

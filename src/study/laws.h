@@ -15,7 +15,7 @@ typedef struct Law {
 } Law;
 
 /* Returns: (transfer full) (element-type Law): the laws to show, in order;
- *          those of a round only while one is in hand. */
+ *          those of a round only while there is a current one. */
 GPtrArray *laws_of (const Frame *frame);
 
 /* Puts a question mark in place of what would answer a question: all numbers

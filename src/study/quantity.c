@@ -110,7 +110,7 @@ count_lines (const Frame *frame)
   return frame->delaunay.dimension == 1 ? frame->counts.voronoi_edges : 0;
 }
 
-/* Of the round in hand so far; as the other counts of a round they stay until
+/* Of the current round so far; as the other counts of a round they stay until
  * the next begins. */
 static guint
 count_events (const Frame *frame, EventKind kind, Facing facing)

@@ -23,7 +23,7 @@ typedef enum Quantity {
   QUANTITY_VERTICAL,
   QUANTITY_HULL_CORNERS,   /* corners of the hull in the plane */
   QUANTITY_BOUNDARY_SITES, /* all sites on its boundary */
-  QUANTITY_VISIBLE,        /* of the round in hand, as far as found: */
+  QUANTITY_VISIBLE,        /* of the current round, as far as found: */
   QUANTITY_DYING_TRIANGLES,
   QUANTITY_VISIBLE_UPPER,
   QUANTITY_VISIBLE_VERTICAL,
@@ -46,7 +46,7 @@ typedef enum Quantity {
 typedef enum QuantityScope {
   SCOPE_ALWAYS,
   SCOPE_HULL,  /* sites with a first simplex */
-  SCOPE_ROUND, /* and a round in hand */
+  SCOPE_ROUND, /* and a current round */
 } QuantityScope;
 
 const char *quantity_name (Quantity quantity);

@@ -16,7 +16,7 @@ struct ClickKind {
   guint mask;         /* SceneMask bits */
   const char *item;   /* English: what one is called by its number, %u; NULL:
                          its name */
-  const char *prompt; /* English; {p} site in hand, {f} its facet, {a}
+  const char *prompt; /* English; {p} current site, {f} its facet, {a}
                          argument */
   void (*collect) (const Question *question,
                    const Occasion *occasion,

@@ -45,7 +45,7 @@ tell_hull (const Frame *frame)
   return g_strdup_printf (_ ("On the hull so far: %s."), text->str);
 }
 
-/* The site in hand, once it has been chosen. */
+/* The current site, once it has been chosen. */
 static char *
 tell_apex (const Occasion *occasion)
 {

@@ -36,7 +36,7 @@ typedef struct Locating {
   gboolean was_shown;
 } Locating;
 
-/* The round that a position is about: the one in hand, after its end the
+/* The round that a position is about: the current one, after its end the
  * next. */
 static guint
 round_about (const Trace *trace, Place place, gboolean is_before)

@@ -12,7 +12,7 @@ G_BEGIN_DECLS
               const Occasion *occasion G_GNUC_UNUSED,                          \
               const Frame *frame G_GNUC_UNUSED, Object object)
 
-REASON (reason_visible);      /* the site in hand sees the facet, or does not */
+REASON (reason_visible);      /* the current site sees the facet, or does not */
 REASON (reason_circle);       /* the vertex's circle contains it, or does not */
 REASON (reason_horizon);      /* a ridge */
 REASON (reason_new_triangle); /* a ridge of the horizon */

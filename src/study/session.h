@@ -239,7 +239,7 @@ gboolean session_get_compares_space (Session *session);
 void session_set_compares_space (Session *session, gboolean space);
 
 /* Returns: (transfer full): the sentence of one of the two runs, and the site
- *          that it has in hand, or INDEX_NONE. */
+ *          that is its current one, or INDEX_NONE. */
 char *session_narrate_pane (Session *session, guint pane);
 guint session_get_pane_apex (Session *session, guint pane);
 
@@ -298,7 +298,7 @@ SiteState session_get_site_state (Session *session, guint pane, guint site);
 /* Returns: whether a picture shows facets by the names of the trace. */
 gboolean session_pane_has_facets (Session *session, guint pane);
 
-/* Returns: the site of the round in hand or of the last one, or INDEX_NONE. */
+/* Returns: the site of the current round or of the last one, or INDEX_NONE. */
 guint session_get_apex (Session *session);
 
 /* The listing, its heading, and its line at the step: INDEX_NONE for none. */
