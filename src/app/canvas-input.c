@@ -21,6 +21,8 @@ typedef struct CanvasInput {
   CanvasPress press;
   DragMode mode;
   gboolean is_click; /* unless it moves */
+  gboolean is_blind; /* what is under the press is not known yet */
+  gboolean is_late;  /* a click that waits until it is known */
   int n_presses;     /* in quick succession */
   double last_px[2];
   const char *pointer; /* name of its shape */
@@ -53,6 +55,22 @@ modifiers_of (GtkGesture *gesture)
   return modifiers;
 }
 
+/* While a thread draws, nothing can be pointed at: to look would make the
+ * thread's work once more, in the main loop.
+ *
+ * Returns: FALSE: what is under the press is not known yet. */
+static gboolean
+find_object (Canvas *canvas)
+{
+  CanvasInput *input = get_input (canvas);
+
+  if (input->is_blind && !canvas_is_busy (canvas)) {
+    input->press.object = canvas_pick (canvas, input->press.at_px);
+    input->is_blind = FALSE;
+  }
+  return !input->is_blind;
+}
+
 static void
 on_drag_begin (GtkGesture *gesture, double x, double y, Canvas *canvas)
 {
@@ -61,12 +79,15 @@ on_drag_begin (GtkGesture *gesture, double x, double y, Canvas *canvas)
 
   press->at_px[0] = input->last_px[0] = x;
   press->at_px[1] = input->last_px[1] = y;
-  press->object = canvas_pick (canvas, press->at_px);
+  press->object = (Object){ OBJECT_NONE, 0 };
   press->button
       = gtk_gesture_single_get_current_button (GTK_GESTURE_SINGLE (gesture));
   press->modifiers = modifiers_of (gesture);
   input->mode = DRAG_NONE;
   input->is_click = TRUE;
+  input->is_blind = TRUE;
+  input->is_late = FALSE;
+  find_object (canvas);
   canvas_show_focus (canvas, FALSE);
   gtk_widget_grab_focus (GTK_WIDGET (canvas));
 }
@@ -86,7 +107,7 @@ begin_dragging (Canvas *canvas, GtkGesture *gesture)
   gtk_gesture_set_state (gesture, GTK_EVENT_SEQUENCE_CLAIMED);
   input->is_click = FALSE;
   input->mode = DRAG_PAN;
-  if (!is_pan (&input->press)
+  if (!is_pan (&input->press) && find_object (canvas)
       && get_class (canvas)->drag_begin (canvas, &input->press))
     input->mode = DRAG_OBJECT;
   if (input->mode != DRAG_GIVEN_UP)
@@ -148,6 +169,19 @@ click_for_question (Canvas *canvas, const CanvasInput *input)
 }
 
 static void
+click (Canvas *canvas)
+{
+  CanvasInput *input = get_input (canvas);
+
+  if (session_is_asking (canvas_get_session (canvas)))
+    click_for_question (canvas, input);
+  else if (input->n_presses == 2)
+    get_class (canvas)->double_click (canvas, &input->press);
+  else
+    get_class (canvas)->click (canvas, &input->press);
+}
+
+static void
 on_drag_end (GtkGesture *gesture, double dx, double dy, Canvas *canvas)
 {
   CanvasInput *input = get_input (canvas);
@@ -155,20 +189,31 @@ on_drag_end (GtkGesture *gesture, double dx, double dy, Canvas *canvas)
   (void)gesture;
   (void)dx;
   (void)dy;
-  if (input->is_click && session_is_asking (canvas_get_session (canvas)))
-    click_for_question (canvas, input);
-  else if (input->is_click && input->n_presses == 2)
-    get_class (canvas)->double_click (canvas, &input->press);
-  else if (input->is_click)
-    get_class (canvas)->click (canvas, &input->press);
+  if (input->is_click && find_object (canvas))
+    click (canvas);
+  else
+    input->is_late = input->is_click;
   input->is_click = FALSE;
   finish_dragging (canvas);
+}
+
+static void
+on_renewed (Canvas *canvas, gpointer user)
+{
+  CanvasInput *input = get_input (canvas);
+
+  (void)user;
+  if (!input->is_late || !find_object (canvas))
+    return;
+  input->is_late = FALSE;
+  click (canvas);
 }
 
 void
 canvas_input_give_up (Canvas *canvas)
 {
   get_input (canvas)->is_click = FALSE;
+  get_input (canvas)->is_late = FALSE;
   finish_dragging (canvas);
   get_input (canvas)->mode = DRAG_GIVEN_UP;
 }
@@ -316,6 +361,7 @@ canvas_input_attach (Canvas *canvas,
           | GDK_SMOOTH_SCROLL_MASK | GDK_TOUCH_MASK | GDK_TOUCHPAD_GESTURE_MASK
           | GDK_KEY_PRESS_MASK | GDK_KEY_RELEASE_MASK | GDK_FOCUS_CHANGE_MASK);
   attach_press (canvas, gestures);
+  g_signal_connect (canvas, "renewed", G_CALLBACK (on_renewed), NULL);
   canvas_touch_attach (canvas, gestures);
   g_signal_connect (scroll, "scroll", G_CALLBACK (on_scroll), canvas);
   controllers[CANVAS_CONTROLLER_SCROLL] = scroll;

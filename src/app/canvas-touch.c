@@ -72,7 +72,8 @@ on_long_press (GtkGesture *gesture, double x, double y, Canvas *canvas)
 
   canvas_input_give_up (canvas);
   gtk_gesture_set_state (gesture, GTK_EVENT_SEQUENCE_CLAIMED);
-  canvas_menu_popup (canvas, canvas_pick (canvas, at_px), at_px);
+  if (!canvas_is_busy (canvas))
+    canvas_menu_popup (canvas, canvas_pick (canvas, at_px), at_px);
 }
 
 void
