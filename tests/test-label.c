@@ -171,10 +171,12 @@ test_names_lie_over_pale_lines (void)
   label_sheet_free (sheet);
 }
 
-/* Returns: how many names a plane of so many sites of a side of 300 px has. */
+/* Returns: how many names a plane of so many sites of a side of 300 px has, of
+ *          which the first are selected. */
 static guint
-count_names (Family family, guint n_sites)
+count_names (Family family, guint n_sites, guint n_selected)
 {
+  g_autofree uint32_t *selected = g_new (uint32_t, n_selected + 1);
   g_autoptr (Fixture) fixture
       = fixture_new (family, 1, n_sites, ORDER_FURTHEST);
   Names *names = names_new ();
@@ -189,6 +191,10 @@ count_names (Family family, guint n_sites)
   picture_init (&picture, PICTURE_PLANE, &frame);
   projection = plane_camera_projection (&picture.plane_camera, 300, 300);
   scene_look_fit (&picture.look, &projection, 0);
+  for (guint i = 0; i < n_selected; i++)
+    selected[i] = i;
+  picture.look.selected = selected;
+  picture.look.n_selected = n_selected;
   scene_plane (&scene, &frame, &picture.look);
   drawing_set (drawing, &scene, &projection, theme_get (THEME_DARK));
   n = drawing->n_placed;
@@ -247,8 +253,8 @@ test_marks_shrink (void)
 static void
 test_names_need_room (void)
 {
-  g_assert_cmpuint (count_names (FAMILY_RANDOM, 12), ==, 12);
-  g_assert_cmpuint (count_names (FAMILY_RANDOM, 90), ==, 0);
+  g_assert_cmpuint (count_names (FAMILY_RANDOM, 12, 0), ==, 12);
+  g_assert_cmpuint (count_names (FAMILY_RANDOM, 90, 0), ==, 0);
 }
 
 /* The important are never left out, the others are where there is no room. */
@@ -279,6 +285,14 @@ test_labels_are_left_out (void)
   label_sheet_free (sheet);
 }
 
+/* They would be all that is seen, and each is placed against all others. */
+static void
+test_many_that_are_selected_have_no_names (void)
+{
+  g_assert_cmpuint (count_names (FAMILY_RANDOM, 300, 20), >=, 20);
+  g_assert_cmpuint (count_names (FAMILY_RANDOM, 300, 300), ==, 0);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -292,6 +306,8 @@ main (int argc, char **argv)
   g_test_add_func ("/label/names-stay-near-over-pale-lines",
                    test_names_lie_over_pale_lines);
   g_test_add_func ("/label/a-crowd-has-no-names", test_names_need_room);
+  g_test_add_func ("/label/many-that-are-selected-have-no-names",
+                   test_many_that_are_selected_have_no_names);
   g_test_add_func ("/label/marks-are-small-where-sites-are-near",
                    test_marks_shrink);
   g_test_add_func ("/label/only-the-unimportant-are-left-out",

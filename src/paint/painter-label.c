@@ -16,7 +16,8 @@
 
 #define BODY_INK 0.45 /* of the paraboloid's lines */
 
-#define FEW 24 /* so many that are lit are all shown, whatever they cover */
+#define FEW 24   /* so many that are lit are all shown, whatever they cover */
+#define MANY 200 /* and of more than so many, none reads the names */
 #define NEAR_SQUARE 24 /* side, px: ink is looked for in such squares */
 
 /* What has its name also in a crowd. */
@@ -402,6 +403,16 @@ place_over (Painter *painter,
   label_sheet_free (sheet);
 }
 
+static bool
+are_many (const Scene *scene, const uint32_t *items, uint32_t n)
+{
+  uint32_t n_names = 0;
+
+  for (uint32_t i = 0; i < n; i++)
+    n_names += scene->items[items[i]].label != NULL;
+  return n_names > MANY;
+}
+
 void
 painter_add_lit_names (Painter *painter,
                        const uint32_t *items,
@@ -409,13 +420,15 @@ painter_add_lit_names (Painter *painter,
                        const Drawing *stock,
                        BoxIndex *strokes)
 {
+  const bool skips = are_many (painter->scene, items, n);
   Wanted wanted;
   uint32_t i;
 
   /* What is only there because of the light comes first. */
   wanted_init (&wanted);
   for (i = n; i-- > 0;)
-    want (painter, &wanted, items[i]);
+    if (!skips || painter->scene->items[items[i]].role == ROLE_SITE_APEX)
+      want (painter, &wanted, items[i]);
   if (wanted.labels->len > 0)
     place_over (painter, wanted.labels, stock, strokes);
   add_placed (painter, &wanted);

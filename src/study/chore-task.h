@@ -1,8 +1,8 @@
 /* Work of a thread as a chore of the session: told of while it lasts, and
  * given up when the person wants that.
  *
- *   chore_task_begin (session, _ ("The sites are being saved"), write_sites,
- *                     on_written, save, save_free);
+ *   chore_task_begin (session, sentence, write_sites, on_written, save,
+ *                     save_free);
  *
  * What the thread needs lies in its data, which nobody else sees meanwhile.
  */
