@@ -242,19 +242,24 @@ test_marks_shrink (void)
 {
   const double light = size_of_marks (THEME_LIGHT, 350, 1);
   const double projector = size_of_marks (THEME_PROJECTOR, 350, 1);
+  const double higher = size_of_marks (THEME_PROJECTOR, 600, 1);
+  const double nearer = size_of_marks (THEME_PROJECTOR, 350, 3);
 
   g_assert_cmpfloat (projector, <, light);
   g_assert_cmpfloat (projector, <, 0.8);
-  g_assert_cmpfloat (size_of_marks (THEME_PROJECTOR, 600, 1), ==, projector);
-  g_assert_cmpfloat (size_of_marks (THEME_PROJECTOR, 350, 3), ==, 1);
+  g_assert_cmpfloat (higher, ==, projector);
+  g_assert_cmpfloat (nearer, ==, 1);
 }
 
 /* Names do not hide what they name. */
 static void
 test_names_need_room (void)
 {
-  g_assert_cmpuint (count_names (FAMILY_RANDOM, 12, 0), ==, 12);
-  g_assert_cmpuint (count_names (FAMILY_RANDOM, 90, 0), ==, 0);
+  const guint few = count_names (FAMILY_RANDOM, 12, 0);
+  const guint crowd = count_names (FAMILY_RANDOM, 90, 0);
+
+  g_assert_cmpuint (few, ==, 12);
+  g_assert_cmpuint (crowd, ==, 0);
 }
 
 /* The important are never left out, the others are where there is no room. */
@@ -289,8 +294,11 @@ test_labels_are_left_out (void)
 static void
 test_many_that_are_selected_have_no_names (void)
 {
-  g_assert_cmpuint (count_names (FAMILY_RANDOM, 300, 20), >=, 20);
-  g_assert_cmpuint (count_names (FAMILY_RANDOM, 300, 300), ==, 0);
+  const guint few = count_names (FAMILY_RANDOM, 300, 20);
+  const guint all = count_names (FAMILY_RANDOM, 300, 300);
+
+  g_assert_cmpuint (few, >=, 20);
+  g_assert_cmpuint (all, ==, 0);
 }
 
 int

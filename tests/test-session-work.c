@@ -126,6 +126,27 @@ test_frame (void)
   g_assert_cmpuint (hashes[0], ==, hashes[1]);
 }
 
+/* Of so many sites two threads make a frame: it is that of one. */
+static void
+test_pieces (void)
+{
+  g_autoptr (Session) session = patient_new (4000);
+  const guint n_steps = session_get_n_steps (session);
+
+  g_assert_cmpuint (session_get_trace (session)->n_facets, >, 20000);
+  for (guint i = 0; i <= 6; i++) {
+    const guint step = i * (n_steps / 6);
+    Frame frame;
+
+    session_set_step (session, step);
+    wait (session);
+    frame_init (&frame, session_get_trace (session), step);
+    g_assert_cmpuint (frame_hash (&frame), ==,
+                      frame_hash (session_get_frame (session)));
+    frame_clear (&frame);
+  }
+}
+
 static void
 test_cancel (void)
 {
@@ -428,6 +449,8 @@ main (int argc, char **argv)
   g_test_add_func ("/session-work/the-hull-is-the-one-made-at-once", test_same);
   g_test_add_func ("/session-work/the-frame-is-the-one-made-at-once",
                    test_frame);
+  g_test_add_func ("/session-work/a-frame-of-two-threads-is-that-of-one",
+                   test_pieces);
   g_test_add_func ("/session-work/what-is-given-up-changes-nothing",
                    test_cancel);
   g_test_add_func ("/session-work/what-cannot-be-compared-is-told-at-once",
