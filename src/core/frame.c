@@ -10,7 +10,7 @@
 /* The current round at the frame's step, until its end; NULL between rounds
  * and after the last. */
 static const RoundRow *
-round_in_hand (const Frame *frame)
+current_round (const Frame *frame)
 {
   const RoundRow *row;
 
@@ -31,7 +31,7 @@ static uint32_t
 roles_of (const Frame *frame, uint32_t facet)
 {
   const FacetRow *row = &frame->trace->facets[facet];
-  const RoundRow *round = round_in_hand (frame);
+  const RoundRow *round = current_round (frame);
   const bool stands = span_has (row->span, frame->base);
   const bool is_born
       = span_has (row->span, frame->step) && row->round == frame->round + 1;
@@ -144,7 +144,7 @@ taken (const Frame *frame, uint32_t first, uint32_t last)
 static void
 add_horizon (Frame *frame)
 {
-  const RoundRow *round = round_in_hand (frame);
+  const RoundRow *round = current_round (frame);
   uint32_t i;
 
   if (round == NULL)
@@ -165,7 +165,7 @@ static void
 add_sites (Frame *frame)
 {
   const Trace *trace = frame->trace;
-  const RoundRow *round = round_in_hand (frame);
+  const RoundRow *round = current_round (frame);
   ClaimRange range;
   uint32_t i;
 
@@ -257,7 +257,7 @@ count_outside_sets (Frame *frame, uint32_t facet, bool *is_counted)
 {
   const Trace *trace = frame->trace;
   const ClaimRange range = trace_claims_with (trace, facet);
-  const RoundRow *round = round_in_hand (frame);
+  const RoundRow *round = current_round (frame);
   const uint32_t apex = round == NULL ? INDEX_NONE : round->site;
   const uint32_t birth
       = facet < 4 ? trace->simplex_end
@@ -315,7 +315,7 @@ count_diagrams (Frame *frame)
 }
 
 void
-frame_init (Frame *frame, const Trace *trace, uint32_t step)
+frame_begin (Frame *frame, const Trace *trace, uint32_t step)
 {
   memset (frame, 0, sizeof *frame);
   frame->trace = trace;
@@ -323,17 +323,41 @@ frame_init (Frame *frame, const Trace *trace, uint32_t step)
   frame->base = trace_base (trace, step);
   frame->place = timeline_place (trace, step);
   frame->round = trace_round (trace, step);
+}
+
+void
+frame_add_hull (Frame *frame)
+{
   add_facets (frame);
   add_ridges (frame);
   add_sites (frame);
   add_horizon (frame);
-  delaunay_init (&frame->delaunay, trace, step);
-  voronoi_init (&frame->voronoi, &frame->delaunay);
-  mark_dying (frame);
   count_facets (frame);
   count_round (frame);
   count_outside (frame);
+}
+
+void
+frame_add_diagrams (Frame *frame)
+{
+  delaunay_init (&frame->delaunay, frame->trace, frame->step);
+  voronoi_init (&frame->voronoi, &frame->delaunay);
+}
+
+void
+frame_end (Frame *frame)
+{
+  mark_dying (frame);
   count_diagrams (frame);
+}
+
+void
+frame_init (Frame *frame, const Trace *trace, uint32_t step)
+{
+  frame_begin (frame, trace, step);
+  frame_add_hull (frame);
+  frame_add_diagrams (frame);
+  frame_end (frame);
 }
 
 void

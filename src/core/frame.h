@@ -91,6 +91,14 @@ typedef struct Frame {
 } Frame;
 
 void frame_init (Frame *frame, const Trace *trace, uint32_t step);
+
+/* The same in pieces, one after the other, but that the hull and the diagrams
+ * may be added by two threads at once. */
+void frame_begin (Frame *frame, const Trace *trace, uint32_t step);
+void frame_add_hull (Frame *frame);
+void frame_add_diagrams (Frame *frame);
+void frame_end (Frame *frame);
+
 void frame_clear (Frame *frame);
 
 /* Returns: a hash of all that the frame shows; equal frames, equal hashes. */

@@ -1,12 +1,40 @@
 #include "kept-frame.h"
 
+/* Facets ever born, from which on a second thread is worth its start. */
+#define LARGE_TRACE 20000
+
+static gpointer
+add_diagrams (gpointer frame)
+{
+  frame_add_diagrams (frame);
+  return NULL;
+}
+
+/* The main loop waits for what a step shows: of many sites two threads make
+ * it. */
+static void
+make (Frame *frame, const Trace *trace, guint step)
+{
+  GThread *thread = NULL;
+
+  frame_begin (frame, trace, step);
+  if (trace->n_facets >= LARGE_TRACE)
+    thread = g_thread_try_new ("diagrams", add_diagrams, frame, NULL);
+  frame_add_hull (frame);
+  if (thread != NULL)
+    g_thread_join (thread);
+  else
+    frame_add_diagrams (frame);
+  frame_end (frame);
+}
+
 KeptFrame *
 kept_frame_new (const Trace *trace, guint step)
 {
   KeptFrame *kept = g_new0 (KeptFrame, 1);
 
   kept->reference_count = 1;
-  frame_init (&kept->frame, trace, step);
+  make (&kept->frame, trace, step);
   return kept;
 }
 
