@@ -182,6 +182,7 @@ def edit(bench, p, n):
     bench.do("copy the sites", "copy")
     bench.do("select none", "select-none")
     bench.time("paste them", lambda: p.activate("paste"))
+    p.activate("select-sites", GLib.Variant("au", [1, 3, 5]))
     bench.do("delete a selection", "delete-selection")
     bench.do("generate", "sites", text(f"random {n} seed 5"))
     bench.do("order: input", "order", text("input"))
@@ -209,7 +210,8 @@ def look(bench, p, n):
         bench.keep("space apart" if state else "space back", "detach-space",
                    GLib.Variant("b", state))
     bench.do("copy a picture", "copy-picture")
-    bench.do("size of the window", "fullscreen")
+    bench.time("a smaller window", lambda: p.resize(1200, 760))
+    bench.time("a larger window", lambda: p.resize(1440, 900))
 
 
 def show(bench, p, n):
