@@ -15,20 +15,6 @@ struct _SmallPicture {
 
 G_DEFINE_TYPE (SmallPicture, small_picture, GTK_TYPE_DRAWING_AREA)
 
-static PictureView
-view_of (Session *session)
-{
-  switch (session_get_views (session)) {
-  case VIEWS_PLANE:
-    return PICTURE_PLANE;
-  case VIEWS_SPACE:
-    return PICTURE_SPACE;
-  case VIEWS_BOTH:
-    break;
-  }
-  return PICTURE_BOTH;
-}
-
 static gboolean
 has_picture (SmallPicture *picture)
 {
@@ -46,7 +32,8 @@ paint (SmallPicture *picture, cairo_t *cr, double width, double height)
   if (picture->stop != SMALL_PICTURE_NOW)
     session_set_stop (picture->session, picture->stop);
   theme_init (&theme, session_get_appearance (picture->like));
-  session_picture (&what, picture->session, view_of (picture->session));
+  session_picture (&what, picture->session,
+                   session_picture_view (picture->session));
   what.theme = &theme;
   what.width = width * SHRINK;
   what.height = height * SHRINK;

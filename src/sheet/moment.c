@@ -59,15 +59,7 @@ picture_view (Session *session, MomentView view)
   case MOMENT_VIEWS:
     break;
   }
-  switch (session_get_views (session)) {
-  case VIEWS_PLANE:
-    return PICTURE_PLANE;
-  case VIEWS_SPACE:
-    return PICTURE_SPACE;
-  case VIEWS_BOTH:
-    break;
-  }
-  return PICTURE_BOTH;
+  return session_picture_view (session);
 }
 
 static void

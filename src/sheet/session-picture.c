@@ -6,6 +6,20 @@ fill (Scene *scene, int pane, const SceneLook *look, void *user)
   session_fill_scene (user, (guint)pane, scene, look);
 }
 
+PictureView
+session_picture_view (Session *session)
+{
+  switch (session_get_views (session)) {
+  case VIEWS_PLANE:
+    return PICTURE_PLANE;
+  case VIEWS_SPACE:
+    return PICTURE_SPACE;
+  case VIEWS_BOTH:
+    break;
+  }
+  return PICTURE_BOTH;
+}
+
 void
 session_picture_take (Picture *picture, Session *session)
 {

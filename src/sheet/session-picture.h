@@ -7,6 +7,9 @@
 
 G_BEGIN_DECLS
 
+/* Returns: what the session has its pictures show: plane, space or both. */
+PictureView session_picture_view (Session *session);
+
 /* @view: which of the panes; where there is one alone, that one. Of a default
  * size and theme, without a title; the hover is left out.
  *
