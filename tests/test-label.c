@@ -171,38 +171,67 @@ test_names_lie_over_pale_lines (void)
   label_sheet_free (sheet);
 }
 
-/* Returns: how many names a plane of so many sites of a side of 300 px has, of
- *          which the first are selected. */
-static guint
-count_names (Family family, guint n_sites, guint n_selected)
+/* A plane of so many sites, of which the first are selected, drawn. */
+typedef struct Crowd {
+  Family family;
+  guint n_sites, n_selected;
+  ThemeKind theme;
+  double width, height, zoom;
+} Crowd;
+
+typedef struct Drawn {
+  guint n_names;
+  double size; /* of marks */
+} Drawn;
+
+static void
+draw_frame (const Crowd *crowd, const Frame *frame, Drawing *drawing)
 {
-  g_autofree uint32_t *selected = g_new (uint32_t, n_selected + 1);
-  g_autoptr (Fixture) fixture
-      = fixture_new (family, 1, n_sites, ORDER_FURTHEST);
-  Names *names = names_new ();
-  Drawing *drawing = drawing_new (names);
+  g_autofree uint32_t *selected = g_new (uint32_t, crowd->n_selected + 1);
   Picture picture;
   Projection projection;
   Scene scene = { .items = NULL };
-  Frame frame;
-  guint n;
 
-  frame_init (&frame, fixture->trace, fixture->trace->n_events);
-  picture_init (&picture, PICTURE_PLANE, &frame);
-  projection = plane_camera_projection (&picture.plane_camera, 300, 300);
+  picture_init (&picture, PICTURE_PLANE, frame);
+  picture.plane_camera.zoom = crowd->zoom;
+  projection = plane_camera_projection (&picture.plane_camera, crowd->width,
+                                        crowd->height);
   scene_look_fit (&picture.look, &projection, 0);
-  for (guint i = 0; i < n_selected; i++)
+  for (guint i = 0; i < crowd->n_selected; i++)
     selected[i] = i;
   picture.look.selected = selected;
-  picture.look.n_selected = n_selected;
-  scene_plane (&scene, &frame, &picture.look);
-  drawing_set (drawing, &scene, &projection, theme_get (THEME_DARK));
-  n = drawing->n_placed;
+  picture.look.n_selected = crowd->n_selected;
+  scene_plane (&scene, frame, &picture.look);
+  drawing_set (drawing, &scene, &projection, theme_get (crowd->theme));
   scene_clear (&scene);
+}
+
+static Drawn
+draw_crowd (const Crowd *crowd)
+{
+  g_autoptr (Fixture) fixture
+      = fixture_new (crowd->family, 1, crowd->n_sites, ORDER_FURTHEST);
+  Names *names = names_new ();
+  Drawing *drawing = drawing_new (names);
+  Frame frame;
+  Drawn drawn;
+
+  frame_init (&frame, fixture->trace, fixture->trace->n_events);
+  draw_frame (crowd, &frame, drawing);
+  drawn = (Drawn){ drawing->n_placed, drawing->size };
   drawing_free (drawing);
   names_free (names);
   frame_clear (&frame);
-  return n;
+  return drawn;
+}
+
+/* Returns: how many names a plane with a side of 300 px has. */
+static guint
+count_names (Family family, guint n_sites, guint n_selected)
+{
+  return draw_crowd (
+             &(Crowd){ family, n_sites, n_selected, THEME_DARK, 300, 300, 1 })
+      .n_names;
 }
 
 /* Returns: how large marks are of sixty sites in a plane of this height and a
@@ -210,29 +239,8 @@ count_names (Family family, guint n_sites, guint n_selected)
 static double
 size_of_marks (ThemeKind theme, double height, double zoom)
 {
-  g_autoptr (Fixture) fixture
-      = fixture_new (FAMILY_RANDOM, 1, 60, ORDER_FURTHEST);
-  Names *names = names_new ();
-  Drawing *drawing = drawing_new (names);
-  Picture picture;
-  Projection projection;
-  Scene scene = { .items = NULL };
-  Frame frame;
-  double size;
-
-  frame_init (&frame, fixture->trace, fixture->trace->n_events);
-  picture_init (&picture, PICTURE_PLANE, &frame);
-  picture.plane_camera.zoom = zoom;
-  projection = plane_camera_projection (&picture.plane_camera, 350, height);
-  scene_look_fit (&picture.look, &projection, 0);
-  scene_plane (&scene, &frame, &picture.look);
-  drawing_set (drawing, &scene, &projection, theme_get (theme));
-  size = drawing->size;
-  scene_clear (&scene);
-  drawing_free (drawing);
-  names_free (names);
-  frame_clear (&frame);
-  return size;
+  return draw_crowd (&(Crowd){ FAMILY_RANDOM, 60, 0, theme, 350, height, zoom })
+      .size;
 }
 
 /* What counts is how near sites are: not the shape of the view, and less where
