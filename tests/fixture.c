@@ -64,10 +64,9 @@ fixture_set_path (const char *name)
                            file, NULL);
 }
 
-Fixture *
-fixture_load (const char *name, OrderKind order)
+static SiteSet *
+read_set (const char *path)
 {
-  g_autofree char *path = fixture_set_path (name);
   g_autofree char *text = NULL;
   gsize length;
   SiteFileError fault;
@@ -78,7 +77,23 @@ fixture_load (const char *name, OrderKind order)
   set = site_file_parse (text, length, &fault);
   if (set == NULL)
     g_error ("%s:%u: %s", path, fault.line, fault.reason);
-  return fixture_take (g_strdup (name), set, &(Order){ order, 0 });
+  return set;
+}
+
+Fixture *
+fixture_load (const char *name, OrderKind order)
+{
+  g_autofree char *path = fixture_set_path (name);
+
+  return fixture_take (g_strdup (name), read_set (path), &(Order){ order, 0 });
+}
+
+SiteSet *
+fixture_corpus_set (const char *name)
+{
+  g_autofree char *path = fixture_path ("corpus", name, ".txt");
+
+  return read_set (path);
 }
 
 static void

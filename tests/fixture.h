@@ -63,6 +63,9 @@ const char *const *fixture_names (void);
 /* Returns: (transfer full): the path of a curated set. */
 char *fixture_set_path (const char *name);
 
+/* Returns: (transfer full): the sites of tests/corpus/NAME.txt. */
+SiteSet *fixture_corpus_set (const char *name);
+
 /* Returns: (transfer full): the path of a file below tests/. */
 char *fixture_path (const char *folder, const char *name, const char *end);
 

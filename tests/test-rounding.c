@@ -5,29 +5,6 @@
 
 #include <string.h>
 
-static SiteSet *
-load (const char *name)
-{
-  g_autofree char *path = fixture_path ("corpus", name, ".txt");
-  g_autofree char *text = NULL;
-  g_auto (GStrv) lines = NULL;
-  Site sites[64];
-  guint n = 0;
-
-  g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
-  lines = g_strsplit (text, "\n", -1);
-  for (char **line = lines; *line != NULL; line++) {
-    char *end;
-
-    if (**line == '#' || **line == '\0')
-      continue;
-    sites[n].x = g_ascii_strtod (*line, &end);
-    sites[n].y = g_ascii_strtod (end, NULL);
-    n += 1;
-  }
-  return site_set_new (sites, n);
-}
-
 /* The sign of the turn p q r by rationals of any size. */
 static int
 big_turn (const Site *p, const Site *q, const Site *r)
@@ -151,7 +128,7 @@ test_each_failure_has_one_wrong_sign (void)
                    { "kettner-b1", ROUNDED_STUCK } };
 
   for (guint i = 0; i < G_N_ELEMENTS (failures); i++) {
-    SiteSet *set = load (failures[i].name);
+    SiteSet *set = fixture_corpus_set (failures[i].name);
     RoundedHull hull;
     RoundedKind kind = ROUNDED_TRIANGLE;
 
@@ -166,7 +143,7 @@ test_each_failure_has_one_wrong_sign (void)
 static void
 test_a1_loses_a_clear_corner (void)
 {
-  SiteSet *set = load ("kettner-a1");
+  SiteSet *set = fixture_corpus_set ("kettner-a1");
   RoundedHull hull;
   char text[NARRATION_ROOM];
 
@@ -185,7 +162,7 @@ test_a1_loses_a_clear_corner (void)
 static void
 test_a2_is_told_in_the_singular (void)
 {
-  SiteSet *set = load ("kettner-a2");
+  SiteSet *set = fixture_corpus_set ("kettner-a2");
   RoundedHull hull;
   char text[NARRATION_ROOM];
 

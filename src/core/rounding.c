@@ -310,16 +310,29 @@ has (const uint32_t *sites, uint32_t n, uint32_t site)
 }
 
 bool
+rounded_hull_has_corner (const RoundedHull *hull, bool is_exact, uint32_t site)
+{
+  return is_exact ? has (hull->true_corners, hull->n_true, site)
+                  : has (hull->corners, hull->n_corners, site);
+}
+
+bool
 rounded_hull_has_lost (const RoundedHull *hull, uint32_t site)
 {
-  return has (hull->true_corners, hull->n_true, site)
-         && !has (hull->corners, hull->n_corners, site);
+  return rounded_hull_has_corner (hull, true, site)
+         && !rounded_hull_has_corner (hull, false, site);
 }
 
 static uint32_t
 n_tried (const RoundedHull *hull)
 {
   return hull->n_steps == 0 ? 0 : hull->n_steps + 2;
+}
+
+bool
+rounded_hull_has_tried (const RoundedHull *hull, uint32_t site)
+{
+  return has (hull->order, n_tried (hull), site);
 }
 
 void

@@ -83,6 +83,12 @@ void
 rounded_hull_init (RoundedHull *hull, const SiteSet *set, uint32_t n_steps);
 void rounded_hull_clear (RoundedHull *hull);
 
+bool rounded_hull_has_tried (const RoundedHull *hull, uint32_t site);
+
+/* Of the true hull, when @is_exact, or of the rounded one. */
+bool
+rounded_hull_has_corner (const RoundedHull *hull, bool is_exact, uint32_t site);
+
 /* Returns: whether the site was tried and is a corner of the true hull, but
  *          not of the rounded one. */
 bool rounded_hull_has_lost (const RoundedHull *hull, uint32_t site);

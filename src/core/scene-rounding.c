@@ -190,44 +190,19 @@ add_area (SceneBuilder *builder, const RoundedHull *hull)
     scene_add_point (builder, at (builder, hull, hull->true_corners[i]));
 }
 
-static bool
-is_tried (const RoundedHull *hull, uint32_t site)
-{
-  uint32_t i;
-
-  for (i = 0; hull->n_steps > 0 && i < hull->n_steps + 2; i++)
-    if (hull->order[i] == site)
-      return true;
-  return false;
-}
-
-static bool
-is_among (const uint32_t *sites, uint32_t n, uint32_t site)
-{
-  uint32_t i;
-
-  for (i = 0; i < n; i++)
-    if (sites[i] == site)
-      return true;
-  return false;
-}
-
 static Role
 site_role (const RoundedHull *hull, bool is_exact, uint32_t site)
 {
-  const bool is_corner = is_exact
-                             ? is_among (hull->true_corners, hull->n_true, site)
-                             : is_among (hull->corners, hull->n_corners, site);
-
   if (hull->set->first[site] != site)
     return ROLE_SITE_DUPLICATE;
   if (hull->n_steps > 0 && hull->steps[hull->n_steps - 1].site == site)
     return ROLE_SITE_APEX;
-  if (!is_tried (hull, site))
+  if (!rounded_hull_has_tried (hull, site))
     return ROLE_SITE_WAITING;
   if (!is_exact && rounded_hull_has_lost (hull, site))
     return ROLE_SITE_LOST;
-  return is_corner ? ROLE_SITE : ROLE_SITE_IGNORED;
+  return rounded_hull_has_corner (hull, is_exact, site) ? ROLE_SITE
+                                                        : ROLE_SITE_IGNORED;
 }
 
 static void
