@@ -171,17 +171,6 @@ test_fault (void)
   clear (&work);
 }
 
-static void
-test_same_text (void)
-{
-  g_autoptr (Session) session = three_new ();
-  g_autoptr (GBytes) sites = document_sites (session);
-  g_autofree char *text = document_sites_text (sites);
-  g_autofree char *same = document_text (session_get_set (session));
-
-  g_assert_cmpstr (text, ==, same);
-}
-
 int
 main (int argc, char **argv)
 {
@@ -193,6 +182,5 @@ main (int argc, char **argv)
   g_test_add_func ("/chore-task/the-last-wish-is-what-lies-in-the-file",
                    test_last_wish);
   g_test_add_func ("/chore-task/a-fault-is-told", test_fault);
-  g_test_add_func ("/chore-task/a-thread-writes-the-same-text", test_same_text);
   return g_test_run ();
 }

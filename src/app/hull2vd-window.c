@@ -191,8 +191,10 @@ presses_button (GtkWidget *focus, const GdkEventKey *event)
              || event->keyval == GDK_KEY_KP_Enter);
 }
 
-gboolean
-hull2vd_window_focus_wants_key (GtkWidget *focus, const GdkEventKey *event)
+/* Whether the focus may have a key before the accelerators: letters in
+ * entries, Space on a button, arrows in a menu or on a site. */
+static gboolean
+wants_key (GtkWidget *focus, const GdkEventKey *event)
 {
   if (focus == NULL)
     return FALSE;
@@ -211,7 +213,7 @@ give_to_focus (GtkWindow *window, GdkEventKey *event)
 {
   GtkWidget *focus = gtk_window_get_focus (window);
 
-  if (!hull2vd_window_focus_wants_key (focus, event))
+  if (!wants_key (focus, event))
     return FALSE;
   return gtk_window_propagate_key_event (window, event)
          || (presses_button (focus, event)

@@ -118,10 +118,6 @@ void hull2vd_window_update_title (Hull2vdWindow *window);
 /* Which button does what in the plane, and what the window says of it. */
 void hull2vd_window_set_paper_bindings (Hull2vdWindow *window,
                                         gboolean has_them);
-/* Whether the focus may have a key before the accelerators: letters in
- * entries, Space on a button, arrows in a menu or on a site. */
-gboolean hull2vd_window_focus_wants_key (GtkWidget *focus,
-                                         const GdkEventKey *event);
 /* A key in @other, a window beside this one: what its focus does not want is
  * for the accelerators of @window.
  *

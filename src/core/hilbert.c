@@ -10,7 +10,6 @@
 /* The curve is followed four bits of each axis at a time. */
 #define STEP_BITS 4
 #define N_STEPS 5
-#define KEY_BITS (2 * STEP_BITS * N_STEPS)
 #define AXIS_CELLS (1U << (STEP_BITS * N_STEPS))
 
 /* For each of the curve's four turns and eight bits xxxxyyyy: the eight bits

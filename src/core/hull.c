@@ -204,15 +204,6 @@ hull_build_while (const SiteSet *set,
   return build (&b, set, order);
 }
 
-void
-hull_build_chosen (const SiteSet *set,
-                   const HullChoices *choices,
-                   const HullHook *hook)
-{
-  build (&(HullBuilder){ .hook = hook, .choices = choices }, set,
-         &(Order){ ORDER_FURTHEST, 0 });
-}
-
 bool
 hull_record (const SiteSet *set,
              const Order *order,

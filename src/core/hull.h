@@ -7,7 +7,6 @@
 #ifndef HULL_H
 #define HULL_H
 
-#include "choice.h"
 #include "event.h"
 #include "order.h"
 
@@ -26,11 +25,5 @@ bool hull_build_while (const SiteSet *set,
                        const Order *order,
                        const HullHook *hook,
                        HullWanted is_wanted);
-
-/* As hull_build() in ORDER_FURTHEST, where somebody else has chosen. A choice
- * that QuickHull may not make is a mistake of the programmer. */
-void hull_build_chosen (const SiteSet *set,
-                        const HullChoices *choices,
-                        const HullHook *hook);
 
 #endif

@@ -30,18 +30,6 @@ tell (const Builder *builder, PlanarKind kind, uint32_t edge, uint32_t site)
   builder->hook->on_event (&event, builder->hook->user);
 }
 
-bool
-planar_sees (const Site *tail, const Site *head, const Site *site)
-{
-  const int turn = orient (tail, head, site);
-
-  if (turn != 0)
-    return turn < 0;
-  /* On the line: beyond one of its ends. */
-  return site_compare (site, tail) == site_compare (site, head)
-         && site_compare (site, tail) != 0;
-}
-
 static bool
 is_right_of (const Builder *builder, uint32_t edge, uint32_t site)
 {
@@ -54,10 +42,16 @@ is_right_of (const Builder *builder, uint32_t edge, uint32_t site)
 static bool
 sees (const Builder *builder, uint32_t edge, uint32_t site)
 {
-  const Site *sites = builder->set->sites;
+  const Site *sites = builder->set->sites, *p = &sites[site];
   const uint32_t *corner = builder->edges[edge].corner;
+  const Site *tail = &sites[corner[0]], *head = &sites[corner[1]];
+  const int turn = orient (tail, head, p);
 
-  return planar_sees (&sites[corner[0]], &sites[corner[1]], &sites[site]);
+  if (turn != 0)
+    return turn < 0;
+  /* On the line: beyond one of its ends. */
+  return site_compare (p, tail) == site_compare (p, head)
+         && site_compare (p, tail) != 0;
 }
 
 static uint32_t

@@ -54,7 +54,4 @@ typedef struct PlanarHook {
  * Cost: O(n log n) expected for sites spread at random. */
 void planar_build (const SiteSet *set, const PlanarHook *hook);
 
-/* Returns: whether @site sees the edge from @tail to @head. */
-bool planar_sees (const Site *tail, const Site *head, const Site *site);
-
 #endif

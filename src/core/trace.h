@@ -13,6 +13,7 @@
 #ifndef TRACE_H
 #define TRACE_H
 
+#include "choice.h"
 #include "hull.h"
 #include "predicate.h"
 #include "trace-log.h"
@@ -92,7 +93,8 @@ Trace *trace_record_while (const SiteSet *set,
                            HullWanted is_wanted,
                            void *user);
 
-/* The same of hull_build_chosen(). */
+/* The same in ORDER_FURTHEST, where somebody else has chosen. A choice that
+ * QuickHull may not make is a mistake of the programmer. */
 Trace *trace_record_chosen (const SiteSet *set, const HullChoices *choices);
 void trace_free (Trace *trace);
 

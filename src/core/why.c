@@ -67,8 +67,9 @@ why_find (const Frame *frame, Object selection, Object hover, Object measured)
   return why;
 }
 
-const uint32_t *
-why_corners (const Frame *frame, uint32_t facet)
+/* Returns: the sites of the facet; its shadow's corners. */
+static const uint32_t *
+corners_of (const Frame *frame, uint32_t facet)
 {
   return frame->trace->is_flat ? frame->delaunay.triangles[facet].site
                                : frame->trace->facets[facet].site;
@@ -150,7 +151,7 @@ is_corner (const uint32_t corner[3], uint32_t site)
 static const char *
 vertical_template (const Frame *frame, const Why *why)
 {
-  const uint32_t *corner = why_corners (frame, why->facet);
+  const uint32_t *corner = corners_of (frame, why->facet);
   const Site *sites = frame->trace->set->sites;
   const int side = lift_orient (&sites[corner[0]], &sites[corner[1]],
                                 &sites[corner[2]], &sites[why->site]);
@@ -225,7 +226,7 @@ why_write (const Frame *frame,
   text[0] = '\0';
   if (why.facet == INDEX_NONE || why.site == INDEX_NONE)
     return;
-  corner = why_corners (frame, why.facet);
+  corner = corners_of (frame, why.facet);
   if (is_corner (corner, why.site)) {
     template = N_ ("{p} is a corner of {f}: its lift lies in {f}’s plane.");
   } else if (why_facing (frame, why.facet) == FACING_VERTICAL) {

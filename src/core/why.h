@@ -21,8 +21,6 @@ typedef struct Why {
 Why
 why_find (const Frame *frame, Object selection, Object hover, Object measured);
 
-/* Returns: the sites of the facet; its shadow's corners. */
-const uint32_t *why_corners (const Frame *frame, uint32_t facet);
 Facing why_facing (const Frame *frame, uint32_t facet);
 
 /* The power of a site for the circle through three others, in coordinates as

@@ -29,8 +29,9 @@ begin_run (Bare *bare, BareKind kind, BarePlace place)
   bare->runs[bare->n_runs++] = (BareRun){ kind, place, bare->n_vertices, 0 };
 }
 
-BareVertex *
-bare_grow (Bare *bare, BareKind kind, BarePlace place, uint32_t n)
+/* Returns: room for @n vertices more, which are to be written. */
+static BareVertex *
+grow (Bare *bare, BareKind kind, BarePlace place, uint32_t n)
 {
   const BareRun *last
       = bare->n_runs == 0 ? NULL : &bare->runs[bare->n_runs - 1];
@@ -49,8 +50,8 @@ bare_grow (Bare *bare, BareKind kind, BarePlace place, uint32_t n)
 void
 bare_copy (Bare *bare, BarePlace place, const Bare *from, const BareRun *run)
 {
-  memcpy (bare_grow (bare, run->kind, place, run->n),
-          &from->vertices[run->first], run->n * sizeof *from->vertices);
+  memcpy (grow (bare, run->kind, place, run->n), &from->vertices[run->first],
+          run->n * sizeof *from->vertices);
 }
 
 bool
@@ -93,7 +94,7 @@ bare_polygon (Bare *bare,
 
   bare_bytes (colour, any.colour);
   while (bare_cut_next (&cut, n, triangle)) {
-    BareVertex *vertices = bare_grow (bare, BARE_TRIANGLES, place, 3);
+    BareVertex *vertices = grow (bare, BARE_TRIANGLES, place, 3);
 
     for (i = 0; i < 3; i++) {
       vertices[i] = any;
@@ -119,7 +120,7 @@ bare_path (Bare *bare,
   if (n_lines == 0)
     return;
   bare_bytes (colour, any.colour);
-  vertices = bare_grow (bare, BARE_LINES, place, 2 * n_lines);
+  vertices = grow (bare, BARE_LINES, place, 2 * n_lines);
   for (i = 0; i < n_lines; i++, vertices += 2) {
     vertices[0] = vertices[1] = any;
     put (&vertices[0], pixels[i], scale);
@@ -135,7 +136,7 @@ bare_mark (Bare *bare,
            double scale,
            Colour colour)
 {
-  BareVertex *vertex = bare_grow (bare, BARE_DISCS, place, 1);
+  BareVertex *vertex = grow (bare, BARE_DISCS, place, 1);
 
   put (vertex, at, scale);
   vertex->radii[0] = (float)(scale * radii[0]);

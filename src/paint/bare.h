@@ -55,9 +55,6 @@ void bare_clear (Bare *bare);
 /* Forgets all shapes, and keeps their room. */
 void bare_begin (Bare *bare);
 
-/* Returns: room for @n vertices more, which are to be written. */
-BareVertex *bare_grow (Bare *bare, BareKind kind, BarePlace place, uint32_t n);
-
 /* Adds a run of another one. */
 void
 bare_copy (Bare *bare, BarePlace place, const Bare *from, const BareRun *run);

@@ -50,15 +50,6 @@ colour_mix (Colour a, Colour b, double part)
 }
 
 Colour
-colour_over (Colour top, Colour ground)
-{
-  Colour mixed = colour_mix (ground, top, top.alpha);
-
-  mixed.alpha = 1;
-  return mixed;
-}
-
-Colour
 colour_oklch (double lightness, double chroma, double hue)
 {
   const double a = chroma * cos (TURN * hue), b = chroma * sin (TURN * hue);

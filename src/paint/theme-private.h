@@ -47,9 +47,6 @@ void theme_dip (Theme *theme, const Palette *palette);
 /* 0xrrggbb as a colour. */
 Colour theme_colour (uint32_t rgb, double alpha);
 
-/* To be called when a theme is as it should be: what is pale follows. */
-void theme_finish (Theme *theme);
-
 /* One file each. */
 void theme_light (Theme *theme);
 void theme_paper (Theme *theme);

@@ -17,44 +17,6 @@
 #define BEHIND_RADIUS 0.7
 #define RING_GAP 3.2
 
-static void (*const makers[N_THEMES]) (Theme *theme) = {
-  [THEME_LIGHT] = theme_light,         [THEME_PAPER] = theme_paper,
-  [THEME_PROJECTOR] = theme_projector, [THEME_DARK] = theme_dark,
-  [THEME_PRINT] = theme_print,         [THEME_CONTRAST] = theme_contrast,
-};
-
-static void
-make (Theme *theme, ThemeKind kind)
-{
-  makers[kind](theme);
-  theme->name = theme_kind_name (kind);
-  theme_finish (theme);
-}
-
-const Theme *
-theme_get (ThemeKind kind)
-{
-  static Theme themes[N_THEMES];
-  static gsize is_made;
-
-  if (g_once_init_enter (&is_made)) {
-    for (int i = 0; i < N_THEMES; i++)
-      make (&themes[i], (ThemeKind)i);
-    g_once_init_leave (&is_made, 1);
-  }
-  return &themes[kind];
-}
-
-void
-theme_init (Theme *theme, const Appearance *appearance)
-{
-  *theme = *theme_get (appearance->theme);
-  theme->line_factor *= appearance->line_scale;
-  theme->mark_factor *= appearance->mark_scale;
-  theme->text_px *= appearance->text_scale;
-  theme->hatch_px *= sqrt (appearance->line_scale);
-}
-
 /* Cells */
 
 static Colour
@@ -125,12 +87,11 @@ fade (const Theme *theme, Colour line)
   return pale;
 }
 
-void
-theme_finish (Theme *theme)
+/* For when a theme is as it should be: what is pale follows. */
+static void
+fade_lines (Theme *theme)
 {
-  int role;
-
-  for (role = 0; role < N_ROLES; role++)
+  for (int role = 0; role < N_ROLES; role++)
     theme->pale_lines[role] = fade (theme, theme->styles[role].line);
 }
 
@@ -142,6 +103,46 @@ make_pale (const Theme *theme, Role role, Style *style)
   style->width *= theme->pale_width;
   style->casing *= theme->pale_width;
   style->hatch_width *= theme->pale_width;
+}
+
+/* Making */
+
+static void (*const makers[N_THEMES]) (Theme *theme) = {
+  [THEME_LIGHT] = theme_light,         [THEME_PAPER] = theme_paper,
+  [THEME_PROJECTOR] = theme_projector, [THEME_DARK] = theme_dark,
+  [THEME_PRINT] = theme_print,         [THEME_CONTRAST] = theme_contrast,
+};
+
+static void
+make (Theme *theme, ThemeKind kind)
+{
+  makers[kind](theme);
+  theme->name = theme_kind_name (kind);
+  fade_lines (theme);
+}
+
+const Theme *
+theme_get (ThemeKind kind)
+{
+  static Theme themes[N_THEMES];
+  static gsize is_made;
+
+  if (g_once_init_enter (&is_made)) {
+    for (int i = 0; i < N_THEMES; i++)
+      make (&themes[i], (ThemeKind)i);
+    g_once_init_leave (&is_made, 1);
+  }
+  return &themes[kind];
+}
+
+void
+theme_init (Theme *theme, const Appearance *appearance)
+{
+  *theme = *theme_get (appearance->theme);
+  theme->line_factor *= appearance->line_scale;
+  theme->mark_factor *= appearance->mark_scale;
+  theme->text_px *= appearance->text_scale;
+  theme->hatch_px *= sqrt (appearance->line_scale);
 }
 
 /* Lit */

@@ -107,9 +107,6 @@ bool theme_has_hue (Role role);
 /* Contrast ratio of two opaque colours, 1 … 21. Source: WCAG 2.1. */
 double colour_contrast (Colour a, Colour b);
 
-/* @top laid over the opaque @ground. */
-Colour colour_over (Colour top, Colour ground);
-
 /* Mixes @part of @b into @a, alpha stays. */
 Colour colour_mix (Colour a, Colour b, double part);
 

@@ -33,9 +33,6 @@ void handout_add_stops (Handout *handout);
 void handout_add_steps (Handout *handout);
 void handout_add_key (Handout *handout);
 
-/* Title, measures and introduction. */
-void handout_add_title (Handout *handout);
-
 /* A heading of a part, which begins a page and is in the outline. */
 void handout_add_part (Handout *handout, const char *title);
 

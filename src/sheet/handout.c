@@ -123,8 +123,9 @@ handout_head (const Handout *handout, Block *stack, const char *under)
         8);
 }
 
-void
-handout_add_title (Handout *handout)
+/* Title, measures and introduction. */
+static void
+add_title (Handout *handout)
 {
   const Lesson *lesson = handout->lesson;
   g_autofree char *under = handout_measures (handout, TRUE);
@@ -201,7 +202,7 @@ add_parts (Handout *handout)
     handout_add_page (handout);
     return;
   }
-  handout_add_title (handout);
+  add_title (handout);
   if (options->has_stops)
     handout_add_stops (handout);
   if (options->has_steps)

@@ -124,22 +124,6 @@ document_open (Session *session, const char *path, GError **error)
   return open_set (session, set, error);
 }
 
-char *
-document_text (const SiteSet *set)
-{
-  g_autofree char *copy = NULL;
-  char *text = NULL;
-  size_t length;
-  FILE *file = open_memstream (&text, &length);
-
-  g_assert (file != NULL);
-  g_assert (site_file_write (set, file));
-  fclose (file);
-  copy = g_strdup (text);
-  free (text);
-  return g_steal_pointer (&copy);
-}
-
 GBytes *
 document_sites (Session *session)
 {
@@ -168,19 +152,15 @@ document_sites_text (GBytes *sites)
 char *
 document_copy (Session *session)
 {
-  return document_text (session_get_set (session));
+  g_autoptr (GBytes) sites = document_sites (session);
+
+  return document_sites_text (sites);
 }
 
-gboolean
-document_save (Session *session, const char *path, GError **error)
-{
-  g_autofree char *text = document_copy (session);
-
-  return document_write (path, text, strlen (text), error);
-}
-
-const char *
-document_reason (const GError *error)
+/* Returns: why, without the name that GLib has put into the message: it may be
+ *          that of a temporary file. */
+static const char *
+reason_text (const GError *error)
 {
   if (error->domain == G_FILE_ERROR && error->code != G_FILE_ERROR_FAILED)
     for (int reason = 1; reason <= ERRNO_MAX; reason++)
@@ -239,6 +219,6 @@ document_write (const char *path,
     return TRUE;
   shown = display_path (path);
   g_set_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_CANNOT_WRITE, "%s: %s",
-               shown, document_reason (reason));
+               shown, reason_text (reason));
   return FALSE;
 }

@@ -44,12 +44,6 @@ char *document_read (const char *path, gsize *length, GError **error);
  *          site_set_free(), or NULL with @error set. */
 SiteSet *document_read_points (const char *path, GError **error);
 
-/* Returns: (transfer full): @set as the text of a points file. */
-char *document_text (const SiteSet *set);
-
-/* Returns: (transfer full): the session's sites in the same form. */
-char *document_copy (Session *session);
-
 /* Returns: (transfer full): the session's sites as given, one Site after the
  *          other: for a thread, or to be compared. Equal bytes, equal files. */
 GBytes *document_sites (Session *session);
@@ -57,14 +51,8 @@ GBytes *document_sites (Session *session);
 /* Returns: (transfer full): such sites as the text of a points file. */
 char *document_sites_text (GBytes *sites);
 
-/* Saves the sites as a points file, whole or not at all. */
-gboolean document_save (Session *session, const char *path, GError **error);
-
-/* Why, without the name that GLib has put into the message: it may be that of
- * a temporary file.
- *
- * Returns: (transfer none): of @error, or what outlives it. */
-const char *document_reason (const GError *error);
+/* Returns: (transfer full): the session's sites as such a text. */
+char *document_copy (Session *session);
 
 /* Puts @length bytes at @path whole or not at all: a temporary file in the
  * same folder takes its place. A symbolic link is followed, the mode of an

@@ -160,12 +160,6 @@ exhibit_free (Exhibit *exhibit)
   g_free (exhibit);
 }
 
-ExhibitKind
-exhibit_kind (const Exhibit *exhibit)
-{
-  return exhibit->kind;
-}
-
 const Course *
 exhibit_course (const Exhibit *exhibit)
 {

@@ -47,7 +47,6 @@ typedef struct Exhibit Exhibit;
 Exhibit *exhibit_new (ExhibitKind kind, Run *run, const ExhibitTurn *turn);
 void exhibit_free (Exhibit *exhibit);
 
-ExhibitKind exhibit_kind (const Exhibit *exhibit);
 const Course *exhibit_course (const Exhibit *exhibit);
 
 /* Makes another node of the sign map the current one. */

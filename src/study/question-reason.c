@@ -34,7 +34,10 @@ question_further (const Trace *trace, guint facet, guint p, guint q)
   return lift_further (plane, &sites[p], &sites[q]);
 }
 
-char *
+/* Returns: (transfer full): the power of a site with respect to the circle
+ *          of a facet, in coordinates as given, without its sign, which the
+ *          sentence tells: "0.03". */
+static char *
 power_text (const Trace *trace, guint site, guint facet)
 {
   const double power
@@ -78,7 +81,7 @@ upper_sentence (int side, guint site, guint facet, const char *power)
       site, facet, facet, power);
 }
 
-char *
+static char *
 sees_sentence (const Trace *trace, guint site, guint facet)
 {
   const int side = side_of (trace, site, facet);

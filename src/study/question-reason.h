@@ -35,15 +35,6 @@ gboolean question_sees (const Trace *trace, guint site, guint facet);
  *          does, 0 when they tie. */
 int question_further (const Trace *trace, guint facet, guint p, guint q);
 
-/* Returns: (transfer full): "s5 does not see f7: it lies outside f7's circle,
- *          by a power of 0.03". */
-char *sees_sentence (const Trace *trace, guint site, guint facet);
-
-/* Returns: (transfer full): the power of a site with respect to the circle
- *          of a facet, in coordinates as given, without its sign, which the
- *          sentence tells: "0.03". */
-char *power_text (const Trace *trace, guint site, guint facet);
-
 G_END_DECLS
 
 #endif

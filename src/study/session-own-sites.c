@@ -20,8 +20,10 @@ is_run_of_lesson (Session *session)
   return FALSE;
 }
 
-gboolean
-session_shows_own_sites (Session *session)
+/* Returns: whether the sites shown are a person's, also when they perform on
+ *          them. */
+static gboolean
+shows_own_sites (Session *session)
 {
   if (session->run->set->n_sites == 0)
     return FALSE;
@@ -33,8 +35,7 @@ session_shows_own_sites (Session *session)
 OwnSites
 session_keep_own_sites (Session *session)
 {
-  return (OwnSites){ run_ref (session->run),
-                     session_shows_own_sites (session) };
+  return (OwnSites){ run_ref (session->run), shows_own_sites (session) };
 }
 
 void

@@ -6,8 +6,8 @@
 
 #include <glib/gi18n.h>
 
-Performance *
-session_performance (Session *session)
+static Performance *
+performance_of (Session *session)
 {
   const Exercise *whole = session_question_whole (session);
 
@@ -17,7 +17,7 @@ session_performance (Session *session)
 const Performance *
 session_get_performance (Session *session)
 {
-  return session_performance (session);
+  return performance_of (session);
 }
 
 static gboolean
@@ -43,7 +43,7 @@ subject_of (const Task *task)
 static void
 put_task (Session *session)
 {
-  const Performance *performance = session_performance (session);
+  const Performance *performance = performance_of (session);
   const Task *task;
   guint step;
 
@@ -88,7 +88,7 @@ finish (Session *session)
 gboolean
 session_settle_task (Session *session)
 {
-  Performance *performance = session_performance (session);
+  Performance *performance = performance_of (session);
 
   if (performance == NULL)
     return FALSE;
@@ -101,7 +101,7 @@ session_settle_task (Session *session)
 gboolean
 session_next_task (Session *session)
 {
-  Performance *performance = session_performance (session);
+  Performance *performance = performance_of (session);
 
   if (performance == NULL || !performance_advance (performance))
     return FALSE;
@@ -112,7 +112,7 @@ session_next_task (Session *session)
 gboolean
 session_can_next_task (Session *session)
 {
-  const Performance *performance = session_performance (session);
+  const Performance *performance = performance_of (session);
 
   return is_open (performance) && performance_task (performance)->is_settled;
 }
@@ -121,7 +121,7 @@ guint
 session_last_step_allowed (Session *session)
 {
   const Performance *performance
-      = session->is_replaying ? NULL : session_performance (session);
+      = session->is_replaying ? NULL : performance_of (session);
   const Exercise *exercise;
 
   if (!is_open (performance) || session->run != performance->run)
@@ -148,7 +148,7 @@ is_here (Session *session, const Performance *performance)
 gboolean
 session_can_browse (Session *session, gboolean forwards)
 {
-  const Performance *performance = session_performance (session);
+  const Performance *performance = performance_of (session);
 
   return performance != NULL && performance->is_over
          && (forwards ? performance->shown + 1 < performance->tasks->len
@@ -158,7 +158,7 @@ session_can_browse (Session *session, gboolean forwards)
 gboolean
 session_browse (Session *session, gboolean forwards)
 {
-  Performance *performance = session_performance (session);
+  Performance *performance = performance_of (session);
 
   if (performance == NULL || !performance_browse (performance, forwards))
     return FALSE;
@@ -170,9 +170,9 @@ gboolean
 session_perform_can_next (Session *session)
 {
   return !session->is_replaying
-         && (is_open (session_performance (session))
+         && (is_open (performance_of (session))
              || (session->step_size == STEP_BEAT
-                 && session_performance (session) != NULL
+                 && performance_of (session) != NULL
                  && (session_can_browse (session, TRUE)
                      || session_can_continue (session))));
 }
@@ -180,7 +180,7 @@ session_perform_can_next (Session *session)
 gboolean
 session_perform_next (Session *session)
 {
-  const Performance *performance = session_performance (session);
+  const Performance *performance = performance_of (session);
 
   if (!session_perform_can_next (session))
     return FALSE;
@@ -361,7 +361,7 @@ session_perform_another (Session *session)
 gboolean
 session_can_grade (Session *session)
 {
-  return is_open (session_performance (session));
+  return is_open (performance_of (session));
 }
 
 gboolean
@@ -369,7 +369,7 @@ session_grade (Session *session)
 {
   if (!session_can_grade (session))
     return FALSE;
-  performance_give_up (session_performance (session));
+  performance_give_up (performance_of (session));
   finish (session);
   session_show_task (session);
   return TRUE;

@@ -188,7 +188,6 @@ Exercise *session_question_whole (Session *session);
 gboolean session_question_owns_run (Session *session, const Run *run);
 
 /* Inside of session-perform.c. */
-Performance *session_performance (Session *session);
 void session_show_task (Session *session);
 
 /* Does what was chosen in a task that is closed.
@@ -239,10 +238,6 @@ void session_follow_step (Session *session, guint old_step);
 void session_forget_lost_stop (Session *session);
 
 /* Inside of session-own-sites.c. */
-
-/* Returns: whether the sites shown are a person's, also when they perform on
- *          them. */
-gboolean session_shows_own_sites (Session *session);
 
 /* What is shown before other sites may take its place. */
 typedef struct OwnSites {

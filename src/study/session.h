@@ -238,10 +238,8 @@ InsertionCost session_get_cost (Session *session, guint pane);
 gboolean session_get_compares_space (Session *session);
 void session_set_compares_space (Session *session, gboolean space);
 
-/* Returns: (transfer full): the sentence of one of the two runs, and the site
- *          that is its current one, or INDEX_NONE. */
+/* Returns: (transfer full): the sentence of one of the two runs. */
 char *session_narrate_pane (Session *session, guint pane);
-guint session_get_pane_apex (Session *session, guint pane);
 
 /* Returns: (transfer full): "random 7", as lessons write it. */
 char *session_order_name (const Order *order);
