@@ -442,10 +442,11 @@ test_swatches (void)
     cairo_surface_t *surface
         = cairo_image_surface_create (CAIRO_FORMAT_ARGB32, 36, 18);
     cairo_t *cr = cairo_create (surface);
+    const SceneItem item = { .role = (Role)role, .emphasis = EMPHASIS_NORMAL };
     guint n = 0;
     int x, y;
 
-    painter_swatch (cr, (Role)role, LIT_NONE, theme_get (THEME_LIGHT), 36, 18);
+    painter_swatch (cr, &item, theme_get (THEME_LIGHT), 36, 18);
     cairo_destroy (cr);
     cairo_surface_flush (surface);
     for (y = 0; y < 18; y++)

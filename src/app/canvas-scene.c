@@ -1,7 +1,5 @@
 #include "canvas-scene.h"
 
-#include <string.h>
-
 typedef enum Age {
   AGE_OLD, /* or not there at all */
   AGE_OTHER_LOOK,
@@ -12,8 +10,8 @@ struct CanvasScene {
   Scene scene;
   Age age;
   ScenePicker *picker;
-  gboolean stock_roles[N_ROLES]; /* whether the stock has something of it */
-  gboolean roles[N_ROLES];       /* whether all of the scene has */
+  LegendMarks stock_marks; /* but for their light */
+  LegendMarks marks;       /* of all of the scene */
 };
 
 CanvasScene *
@@ -51,18 +49,16 @@ canvas_scene_is_valid (const CanvasScene *kept)
 }
 
 static void
-note_roles (CanvasScene *kept, gboolean has_new_stock)
+note_marks (CanvasScene *kept, gboolean has_new_stock)
 {
   const Scene *scene = &kept->scene;
 
   if (has_new_stock) {
-    memset (kept->stock_roles, 0, sizeof kept->stock_roles);
-    for (guint i = 0; i < scene->stock.n_items; i++)
-      kept->stock_roles[scene->items[i].role] = TRUE;
+    kept->stock_marks = (LegendMarks){ 0 };
+    legend_marks_add_stock (&kept->stock_marks, scene);
   }
-  memcpy (kept->roles, kept->stock_roles, sizeof kept->roles);
-  for (guint i = scene->stock.n_items; i < scene->n_items; i++)
-    kept->roles[scene->items[i].role] = TRUE;
+  kept->marks = kept->stock_marks;
+  legend_marks_add_pointed (&kept->marks, scene);
 }
 
 gboolean
@@ -84,7 +80,7 @@ canvas_scene_relight (CanvasScene *kept,
     kept->age = AGE_OLD;
     return FALSE;
   }
-  note_roles (kept, FALSE);
+  note_marks (kept, FALSE);
   kept->age = AGE_VALID;
   return TRUE;
 }
@@ -98,7 +94,7 @@ canvas_scene_update (CanvasScene *kept,
   if (canvas_scene_relight (kept, session, pane, look))
     return;
   session_fill_scene (session, pane, &kept->scene, look);
-  note_roles (kept, TRUE);
+  note_marks (kept, TRUE);
   kept->age = AGE_VALID;
 }
 
@@ -106,7 +102,7 @@ void
 canvas_scene_fill (CanvasScene *kept, const Showing *showing)
 {
   showing_fill (showing, &kept->scene);
-  note_roles (kept, TRUE);
+  note_marks (kept, TRUE);
   kept->age = AGE_VALID;
 }
 
@@ -118,9 +114,9 @@ canvas_scene_prepare (CanvasScene *kept, const Projection *projection)
 }
 
 void
-canvas_scene_take_roles (CanvasScene *kept, const CanvasScene *from)
+canvas_scene_take_marks (CanvasScene *kept, const CanvasScene *from)
 {
-  memcpy (kept->roles, from->roles, sizeof kept->roles);
+  kept->marks = from->marks;
 }
 
 const Scene *
@@ -129,10 +125,10 @@ canvas_scene_get (const CanvasScene *kept)
   return &kept->scene;
 }
 
-gboolean
-canvas_scene_has_role (const CanvasScene *kept, Role role)
+const LegendMarks *
+canvas_scene_get_marks (const CanvasScene *kept)
 {
-  return kept->roles[role];
+  return &kept->marks;
 }
 
 Object

@@ -3,6 +3,7 @@
 #ifndef CANVAS_SCENE_H
 #define CANVAS_SCENE_H
 
+#include "legend-mark.h"
 #include "session.h"
 
 G_BEGIN_DECLS
@@ -41,14 +42,14 @@ gboolean canvas_scene_has_stock (const CanvasScene *kept);
 void canvas_scene_fill (CanvasScene *kept, const Showing *showing);
 void canvas_scene_prepare (CanvasScene *kept, const Projection *projection);
 
-/* Tells of the roles of another one until it is valid. */
-void canvas_scene_take_roles (CanvasScene *kept, const CanvasScene *from);
+/* Tells of the marks of another one until it is valid. */
+void canvas_scene_take_marks (CanvasScene *kept, const CanvasScene *from);
 
 /* Returns: the scene, borrowed. */
 const Scene *canvas_scene_get (const CanvasScene *kept);
 
-/* Whether something of @role is in it. */
-gboolean canvas_scene_has_role (const CanvasScene *kept, Role role);
+/* What is in it, for the legend. */
+const LegendMarks *canvas_scene_get_marks (const CanvasScene *kept);
 
 Object canvas_scene_pick (CanvasScene *kept,
                           const Projection *projection,

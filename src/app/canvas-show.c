@@ -153,12 +153,12 @@ canvas_show_is_busy (CanvasShow *show)
   return show->work != NULL || (is_large (show) && !has_scene (show));
 }
 
-gboolean
-canvas_show_has_role (CanvasShow *show, Role role)
+const LegendMarks *
+canvas_show_get_marks (CanvasShow *show)
 {
   if (!canvas_show_is_busy (show))
     canvas_show_get_scene (show);
-  return canvas_scene_has_role (show->scene, role);
+  return canvas_scene_get_marks (show->scene);
 }
 
 static void
@@ -320,7 +320,7 @@ begin_work (CanvasShow *show, const Projection *projection, Showing *showing)
   show->scene = show->spare != NULL ? g_steal_pointer (&show->spare)
                                     : canvas_scene_new ();
   canvas_scene_invalidate (show->scene, FALSE);
-  canvas_scene_take_roles (show->scene, work->scene);
+  canvas_scene_take_marks (show->scene, work->scene);
   show->work = work;
   show->chore = session_begin_chore (
       show->session, _ ("The picture is being drawn"), refuse_work, show);

@@ -31,7 +31,7 @@ gboolean canvas_show_is_busy (CanvasShow *show);
 /* Returns: the scene of the session as it is, made when first asked for. */
 const Scene *canvas_show_get_scene (CanvasShow *show);
 Object canvas_show_pick (CanvasShow *show, const double at_px[2]);
-gboolean canvas_show_has_role (CanvasShow *show, Role role);
+const LegendMarks *canvas_show_get_marks (CanvasShow *show);
 
 void canvas_show_draw (CanvasShow *show, cairo_t *cr);
 void canvas_show_set_moving (CanvasShow *show, gboolean moving);

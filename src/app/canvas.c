@@ -101,10 +101,10 @@ canvas_pick (Canvas *canvas, const double at_px[2])
   return canvas_show_pick (priv (canvas)->show, at_px);
 }
 
-gboolean
-canvas_has_role (Canvas *canvas, Role role)
+const LegendMarks *
+canvas_get_marks (Canvas *canvas)
 {
-  return canvas_show_has_role (priv (canvas)->show, role);
+  return canvas_show_get_marks (priv (canvas)->show);
 }
 
 /* The cursor */

@@ -5,6 +5,7 @@
 #ifndef CANVAS_H
 #define CANVAS_H
 
+#include "legend-mark.h"
 #include "painter.h"
 #include "session.h"
 
@@ -76,8 +77,8 @@ const Theme *canvas_get_theme (Canvas *canvas);
  * what it shows cannot be pointed at. Then "renewed" is emitted. */
 gboolean canvas_is_busy (Canvas *canvas);
 
-/* Whether the picture shows something of @role: for the legend. */
-gboolean canvas_has_role (Canvas *canvas, Role role);
+/* What the picture shows, for the legend; good until something changes. */
+const LegendMarks *canvas_get_marks (Canvas *canvas);
 
 /* The object that the keyboard is on, OBJECT_NONE when on the whole view. */
 Object canvas_get_cursor (Canvas *canvas);

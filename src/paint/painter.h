@@ -32,11 +32,10 @@ void painter_paint (cairo_t *cr,
 
 #define PAINTER_MARGIN 24.0
 
-/* Draws the legend's sample of a role, lit or not, centred in @width ×
- * @height. */
+/* Draws the legend's sample of what an item is, centred in @width × @height:
+ * of its role, shape, emphasis, light and hue. */
 void painter_swatch (cairo_t *cr,
-                     Role role,
-                     Lit lit,
+                     const SceneItem *item,
                      const Theme *theme,
                      double width,
                      double height);

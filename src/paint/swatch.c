@@ -1,3 +1,5 @@
+/* The legend's samples: a role as it is drawn, in the weight that the theme
+ * gives it as far as there is room. */
 #include "brush.h"
 #include "painter.h"
 
@@ -11,14 +13,28 @@ typedef enum Sample {
   SAMPLE_LINE,
   SAMPLE_CIRCLE,
   SAMPLE_SQUARE,
+  SAMPLE_TRIANGLE,
   SAMPLE_MARK,
 } Sample;
 
-static Sample
-sample_of (Role role)
+static bool
+is_answer (Role role)
 {
+  return role >= ROLE_ANSWER_CHOSEN && role <= ROLE_ANSWER_MISSED;
+}
+
+/* Sites that are answered have a ring, all else an outline. */
+static Sample
+sample_of (const SceneItem *item)
+{
+  const Role role = item->role;
+
   if (role >= ROLE_VORONOI_VERTEX)
     return SAMPLE_MARK;
+  if (is_answer (role) && item->shape == SHAPE_MARK)
+    return SAMPLE_CIRCLE;
+  if (role == ROLE_LIT)
+    return SAMPLE_TRIANGLE;
   if (role >= ROLE_CIRCLE && role <= ROLE_ELLIPSE)
     return SAMPLE_CIRCLE;
   if (role == ROLE_SIGN_NODE)
@@ -29,6 +45,8 @@ sample_of (Role role)
   return SAMPLE_AREA;
 }
 
+#define BORDER 1.4 /* px, of an area that has none */
+
 /* A facet of the legend has a border in a shade of itself that stands out, and
  * its hatch is close enough to be seen to be one. */
 static void
@@ -37,15 +55,16 @@ paint_area (cairo_t *cr,
             const Theme *theme,
             const double size[2])
 {
-  const Pixel corners[4] = { { 1, 1 },
-                             { size[0] - 1, 1 },
-                             { size[0] - 1, size[1] - 1 },
-                             { 1, size[1] - 1 } };
+  const double inset = MAX (1, style->width / 2);
+  const Pixel corners[4] = { { inset, inset },
+                             { size[0] - inset, inset },
+                             { size[0] - inset, size[1] - inset },
+                             { inset, size[1] - inset } };
   Theme close = *theme;
   Style bordered = *style;
 
   close.hatch_px *= SAMPLE_HATCH;
-  bordered.width = 1.4;
+  bordered.width = MAX (BORDER, style->width);
   if (style->line.alpha <= 0) {
     bordered.line = colour_mix (style->fill, theme->text, 0.35);
     bordered.line.alpha = 1;
@@ -53,11 +72,68 @@ paint_area (cairo_t *cr,
   brush_polygon (cr, &bordered, &close, corners, 4);
 }
 
+#define N_CELLS 3
+
+/* Cells have as many hues as there are sites: a few of them. */
 static void
-trace_sample (cairo_t *cr, Sample sample, const double size[2])
+paint_cells (cairo_t *cr,
+             const SceneItem *item,
+             const Theme *theme,
+             const double size[2])
+{
+  Style style = theme_style (theme, item);
+  SceneItem cell = *item;
+
+  for (uint32_t i = 0; i < N_CELLS; i++) {
+    const double left = 1 + i * (size[0] - 2) / N_CELLS;
+    const double right = left + (size[0] - 2) / N_CELLS;
+    const Pixel corners[4] = {
+      { left, 1 }, { right, 1 }, { right, size[1] - 1 }, { left, size[1] - 1 }
+    };
+
+    cell.hue = i;
+    style.fill = theme_style (theme, &cell).fill;
+    brush_polygon (cr, &style, theme, corners, 4);
+  }
+  style.fill.alpha = 0;
+  style.line = colour_mix (style.fill, theme->text, 0.35);
+  style.line.alpha = 1;
+  paint_area (cr, &style, theme, size);
+}
+
+#define TRIANGLE_PART 0.18 /* of the height, for a side */
+
+/* A triangle as it is lit, with its outline. */
+static void
+paint_triangle (cairo_t *cr,
+                const SceneItem *item,
+                const Theme *theme,
+                const double size[2])
+{
+  const SceneItem inside = { .shape = SHAPE_POLYGON,
+                             .role = ROLE_TRIANGLE,
+                             .emphasis = item->emphasis,
+                             .lit = item->lit };
+  const Style area = theme_style (theme, &inside);
+  Style outline = theme_style (theme, item);
+  const double width = MIN (outline.width, TRIANGLE_PART * size[1]);
+  const double inset = width / 2 + 0.5;
+  const Pixel corners[3] = { { 2 * inset, size[1] - inset },
+                             { 0.4 * size[0], inset },
+                             { size[0] - 2 * inset, size[1] - inset } };
+
+  brush_polygon (cr, &area, theme, corners, 3);
+  outline.width = width;
+  outline.fill.alpha = 0;
+  brush_polygon (cr, &outline, theme, corners, 3);
+}
+
+static void
+trace_sample (cairo_t *cr, Sample sample, double width, const double size[2])
 {
   if (sample == SAMPLE_CIRCLE) {
-    const double radius = MIN (size[0], size[1]) / 2 - 1.5;
+    const double radius
+        = MIN (size[0], size[1]) / 2 - MAX (1.5, 0.5 + width / 2);
 
     cairo_new_sub_path (cr);
     cairo_arc (cr, size[0] / 2, size[1] / 2, radius, 0, 2 * G_PI);
@@ -86,60 +162,100 @@ scale (Style *style, double factor)
   style->halo_width *= factor;
 }
 
-/* Heavy looks are made smaller until a mark is whole, a line leaves ground
- * beside it, and dashes are seen to be some. */
+/* A line may be as heavy as this part of the height; a ring has two. */
+#define LINE_PART 0.56
+#define RING_PART 0.3
+
+/* Heavy looks are made smaller until a mark is whole and a line leaves ground
+ * beside it; and dashes so short that they are seen to be some. */
 static void
 fit (Style *style, Sample sample, const double size[2])
 {
   const double height = MIN (size[0], size[1]);
   const double length
       = sample == SAMPLE_CIRCLE ? G_PI * (height - 3) : size[0] - 4;
-  const double period = style->dash + style->gap;
-  /* A line may be as heavy as this part of the height; a ring has two. */
-  const double most = sample == SAMPLE_LINE ? 2.6 : 5.2;
+  const double most = height * (sample == SAMPLE_LINE ? LINE_PART : RING_PART);
 
   if (sample == SAMPLE_MARK && brush_mark_reach (style) > 0)
     scale (style, MIN (1, height / 2 / brush_mark_reach (style)));
   if (sample == SAMPLE_MARK || sample == SAMPLE_AREA)
     return;
   if (style->width > 0)
-    scale (style, MIN (1, height / most / style->width));
-  if (style->dash > 0)
-    scale (style, MIN (1, length / 3 / period));
+    scale (style, MIN (1, most / style->width));
+  if (style->dash > 0) {
+    const double n = sample == SAMPLE_CIRCLE ? 5 : 3;
+    const double part = MIN (1, length / n / (style->dash + style->gap));
+
+    style->dash *= part;
+    style->gap *= part;
+  }
+}
+
+/* Ridges and creases lie between areas; others on the ground. */
+static void
+paint_under (cairo_t *cr, Role role, const Theme *theme, const double size[2])
+{
+  SceneItem item = { .shape = SHAPE_POLYGON, .emphasis = EMPHASIS_NORMAL };
+  Style style;
+
+  if (role != ROLE_RIDGE && role != ROLE_TANGENT_EDGE)
+    return;
+  item.role = role == ROLE_RIDGE ? ROLE_LOWER : ROLE_TANGENT;
+  style = theme_style (theme, &item);
+  style.width = 0;
+  style.line.alpha = 0;
+  brush_polygon (cr, &style, theme,
+                 (const Pixel[4]){ { 1, 1 },
+                                   { size[0] - 1, 1 },
+                                   { size[0] - 1, size[1] - 1 },
+                                   { 1, size[1] - 1 } },
+                 4);
+}
+
+static void
+paint_line (cairo_t *cr,
+            const Style *style,
+            Sample sample,
+            const Theme *theme,
+            const double size[2])
+{
+  if (style->casing > 0) {
+    trace_sample (cr, sample, style->width, size);
+    brush_casing (cr, style, theme);
+  }
+  trace_sample (cr, sample, style->width, size);
+  brush_line (cr, style);
 }
 
 void
 painter_swatch (cairo_t *cr,
-                Role role,
-                Lit lit,
+                const SceneItem *item,
                 const Theme *theme,
                 double width,
                 double height)
 {
-  const Sample sample = sample_of (role);
-  const SceneItem item
-      = { .role = role,
-          .shape = sample == SAMPLE_AREA ? SHAPE_POLYGON : SHAPE_MARK,
-          .emphasis = EMPHASIS_NORMAL,
-          .lit = lit };
-  Style style = theme_style (theme, &item);
+  const Sample sample = sample_of (item);
   const double size[2] = { width, height };
+  SceneItem drawn = *item;
+  Style style;
 
+  drawn.shape = sample == SAMPLE_AREA ? SHAPE_POLYGON : SHAPE_MARK;
+  style = theme_style (theme, &drawn);
   fit (&style, sample, size);
   cairo_save (cr);
   cairo_new_path (cr);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
-  if (sample == SAMPLE_MARK) {
+  if (sample == SAMPLE_MARK)
     brush_mark (cr, &style, theme, (Pixel){ width / 2, height / 2 });
-  } else if (sample == SAMPLE_AREA) {
+  else if (sample == SAMPLE_TRIANGLE)
+    paint_triangle (cr, item, theme, size);
+  else if (item->role == ROLE_CELL && item->emphasis != EMPHASIS_LOUD)
+    paint_cells (cr, item, theme, size);
+  else if (sample == SAMPLE_AREA)
     paint_area (cr, &style, theme, size);
-  } else {
-    if (style.casing > 0) {
-      trace_sample (cr, sample, size);
-      brush_casing (cr, &style, theme);
-    }
-    trace_sample (cr, sample, size);
-    brush_line (cr, &style);
+  else {
+    paint_under (cr, item->role, theme, size);
+    paint_line (cr, &style, sample, theme, size);
   }
   cairo_restore (cr);
 }

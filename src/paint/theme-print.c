@@ -33,10 +33,12 @@ static const struct {
   { ROLE_CIRCLE, 0.5 },
   { ROLE_CIRCLE_VISIBLE, 1.5 },
   { ROLE_VORONOI_EDGE, 1 },
-  { ROLE_TANGENT_EDGE, 1 },
+  { ROLE_TANGENT_EDGE, 2 },
   { ROLE_DELAUNAY_EDGE, 2.5 },
   { ROLE_CONTOUR, 0.5 },
   { ROLE_LIFT, 0.75 },
+  { ROLE_LIFT_APEX, 3.2 },
+  { ROLE_GAP, 4.8 },
 };
 
 static void
@@ -65,6 +67,8 @@ set_hatches (Theme *theme)
   hatch (theme, ROLE_CONE_UPPER, HATCH_CLOSE, 1);
   hatch (theme, ROLE_SIGN_LEFT, HATCH_LEVEL, 0.7);
   hatch (theme, ROLE_PREVIEW_STOLEN, HATCH_LEVEL, 0.7);
+  theme->styles[ROLE_PREVIEW_STOLEN].line
+      = theme->styles[ROLE_PREVIEW_TRIANGLE].line;
   theme->styles[ROLE_SIGN_LEFT].fill = theme_colour (0xffffff, 1);
 }
 
@@ -93,10 +97,12 @@ set_lines (Theme *theme)
     theme->styles[pens[i].role].width = pens[i].width;
   theme->styles[ROLE_SHEET].line.alpha = 1;
   theme->styles[ROLE_SITE_IGNORED].radius = 2.6;
-  theme->styles[ROLE_FOOT].radius = 2.2;
-  theme->styles[ROLE_VORONOI_VERTEX].radius = 1.8;
+  theme->styles[ROLE_FOOT].radius = 2.8;
+  theme->styles[ROLE_VORONOI_VERTEX].radius = 1.7;
   dash (theme, ROLE_SHEET, 1.5, 3);
   dash (theme, ROLE_LIFT, 3, 3);
+  dash (theme, ROLE_LIFT_APEX, 4, 3.5);
+  dash (theme, ROLE_GAP, 7, 2);
   dash (theme, ROLE_VISIBLE_EDGE, 11, 4);
   dash (theme, ROLE_CIRCLE_VISIBLE, 5, 3.5);
   dash (theme, ROLE_CIRCLE_SELECTED, 18, 3);

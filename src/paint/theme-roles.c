@@ -64,7 +64,11 @@ static const Row rows[N_ROLES] = {
       .style = { .hatch = HATCH_FALLING, .is_shaded = true } },
   [ROLE_SELECTED_FACET]
   = { .line = INK_IN_HAND, .style = { .width = 4, .casing = 7 } },
-  [ROLE_PREVIEW_TRIANGLE] = { .fill = INK_HOVER, .fill_alpha = 0.1 },
+  [ROLE_PREVIEW_TRIANGLE]
+  = { .fill = INK_HOVER,
+      .fill_alpha = 0.08,
+      .line = INK_HOVER,
+      .style = { .hatch = HATCH_RISING, .hatch_width = 0.6 } },
   [ROLE_PREVIEW_STOLEN] = { .fill = INK_HOVER, .fill_alpha = 0.16 },
   [ROLE_PLANE] = { .fill = INK_HOVER,
                    .fill_alpha = 0.14,
@@ -84,7 +88,7 @@ static const Row rows[N_ROLES] = {
   = { .line = INK_APEX, .style = { .width = 2.6, .casing = 4.6 } },
   [ROLE_VORONOI_EDGE] = { .line = INK_VORONOI, .style = { .width = 1.3 } },
   [ROLE_DELAUNAY_EDGE] = { .line = INK_DELAUNAY, .style = { .width = 2.6 } },
-  [ROLE_TANGENT_EDGE] = { .line = INK_VORONOI, .style = { .width = 1.5 } },
+  [ROLE_TANGENT_EDGE] = { .line = INK_VORONOI, .style = { .width = 2.4 } },
   [ROLE_FURTHEST_EDGE]
   = { .line = INK_FURTHEST, .style = { .width = 2.4, .dash = 12, .gap = 3 } },
   [ROLE_FURTHEST_VORONOI]
@@ -132,7 +136,7 @@ static const Row rows[N_ROLES] = {
       .style = { .width = 4, .mark = MARK_HOLLOW, .radius = 10 } },
   [ROLE_ANSWER_RIGHT]
   = { .line = INK_CONE_LINE,
-      .style = { .width = 4, .mark = MARK_HOLLOW, .radius = 10 } },
+      .style = { .width = 5.5, .mark = MARK_HOLLOW, .radius = 10 } },
   [ROLE_ANSWER_WRONG] = { .line = INK_VISIBLE,
                           .style = { .width = 4,
                                      .dash = 7,
@@ -254,6 +258,7 @@ theme_dip (Theme *theme, const Palette *palette)
         = dip (palette, rows[role].fill, rows[role].fill_alpha);
     theme->styles[role].line
         = dip (palette, rows[role].line, rows[role].line_alpha);
-    theme->styles[role].hatch_width = HATCH_WIDTH;
+    if (!(rows[role].style.hatch_width > 0))
+      theme->styles[role].hatch_width = HATCH_WIDTH;
   }
 }

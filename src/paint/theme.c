@@ -8,6 +8,7 @@
 
 /* How much the look changes for what is lit, and for a new cell. */
 #define HALO_WIDTH 4.0
+#define LIT_CASING 1.4
 #define LOUD_LIGHTNESS 0.97
 
 #define N_HUES 24
@@ -173,6 +174,10 @@ make_lit (const Theme *theme, const SceneItem *item, Style *style)
   if (is_selected && item->role == ROLE_TRIANGLE
       && theme->selected_area.alpha > 0)
     style->fill = theme->selected_area;
+  /* A ring stands off, or it would be a large dot. */
+  if (item->shape == SHAPE_MARK && style->mark != MARK_NONE
+      && style->casing < LIT_CASING)
+    style->casing = LIT_CASING;
   style->halo = colour;
   style->halo_width = is_selected ? HALO_WIDTH : 0.7 * HALO_WIDTH;
   if (is_thin || item->role == ROLE_CIRCLE_VISIBLE)

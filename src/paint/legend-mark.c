@@ -1,0 +1,160 @@
+#include "legend-mark.h"
+
+static unsigned char
+bit_of (const SceneItem *item)
+{
+  return (unsigned char)(1u << item->shape);
+}
+
+static bool
+is_vertex (Role role)
+{
+  return role >= ROLE_VORONOI_VERTEX && role <= ROLE_FURTHEST_VERTEX;
+}
+
+/* Outlines and circles are there only because something is lit. */
+static bool
+is_only_light (Role role)
+{
+  return role == ROLE_LIT || role == ROLE_CIRCLE_SELECTED;
+}
+
+/* The mark that an item is when it is not lit. */
+static int
+plain_mark (const SceneItem *item)
+{
+  switch ((int)item->role) {
+  case ROLE_CELL:
+    return item->emphasis == EMPHASIS_LOUD ? LEGEND_NEW_CELL : ROLE_CELL;
+  case ROLE_RIM:
+    return ROLE_SHEET;
+  case ROLE_FOOT_APEX:
+    return ROLE_SITE_APEX;
+  default:
+    return (int)item->role;
+  }
+}
+
+static void
+add_light (LegendMarks *marks, const SceneItem *item)
+{
+  int mark = ROLE_LIT;
+
+  /* Names are not lit. */
+  if (item->lit == LIT_NONE || item->role >= ROLE_POWER)
+    return;
+  if (item->lit == LIT_HOVER)
+    mark = LEGEND_POINTED;
+  else if (item->role == ROLE_CIRCLE_SELECTED)
+    mark = ROLE_CIRCLE_SELECTED;
+  else if (is_vertex (item->role))
+    mark = LEGEND_SELECTED_VERTEX;
+  marks->shapes[mark] |= bit_of (item);
+}
+
+static void
+add_new_cell (LegendMarks *marks, uint32_t hue)
+{
+  const bool is_other
+      = marks->shapes[LEGEND_NEW_CELL] != 0 && marks->new_hue != hue;
+
+  *(is_other ? &marks->other_new_hue : &marks->new_hue) = hue;
+  marks->shapes[is_other ? LEGEND_OTHER_NEW_CELL : LEGEND_NEW_CELL]
+      = 1u << SHAPE_POLYGON;
+}
+
+static void
+add_plain (LegendMarks *marks, const SceneItem *item)
+{
+  const int mark = plain_mark (item);
+
+  if (mark == LEGEND_NEW_CELL)
+    add_new_cell (marks, item->hue);
+  else
+    marks->shapes[mark] |= bit_of (item);
+}
+
+void
+legend_marks_add_stock (LegendMarks *marks, const Scene *scene)
+{
+  uint32_t i;
+
+  for (i = 0; i < scene->stock.n_items; i++)
+    add_plain (marks, &scene->items[i]);
+}
+
+void
+legend_marks_add_pointed (LegendMarks *marks, const Scene *scene)
+{
+  uint32_t i;
+
+  for (i = 0; i < scene->n_lit; i++)
+    add_light (marks, &scene->items[scene->lit[i]]);
+  for (i = scene->stock.n_items; i < scene->n_items; i++) {
+    if (!is_only_light (scene->items[i].role))
+      add_plain (marks, &scene->items[i]);
+    add_light (marks, &scene->items[i]);
+  }
+}
+
+void
+legend_marks_merge (LegendMarks *marks, const LegendMarks *from)
+{
+  int i;
+
+  if (from->shapes[LEGEND_NEW_CELL] != 0)
+    add_new_cell (marks, from->new_hue);
+  for (i = 0; i < N_LEGEND_MARKS; i++)
+    if (i != LEGEND_NEW_CELL)
+      marks->shapes[i] |= from->shapes[i];
+}
+
+/* What is lit has the look of most of what is lit with it. */
+static SceneItem
+lit_sample (ObjectKind kind, Lit lit)
+{
+  SceneItem item
+      = { .shape = SHAPE_PATH, .role = ROLE_LIT, .emphasis = EMPHASIS_NORMAL };
+
+  item.lit = lit;
+  if (kind == OBJECT_SITE) {
+    item.shape = SHAPE_MARK;
+    item.role = ROLE_SITE;
+  } else if (kind == OBJECT_RIDGE) {
+    item.role = ROLE_DELAUNAY_EDGE;
+  }
+  return item;
+}
+
+static SceneItem
+new_cell_sample (uint32_t hue)
+{
+  SceneItem item = { .shape = SHAPE_POLYGON,
+                     .role = ROLE_CELL,
+                     .emphasis = EMPHASIS_LOUD };
+
+  item.hue = hue;
+  return item;
+}
+
+SceneItem
+legend_mark_sample (const LegendMarks *marks, int mark, ObjectKind kind)
+{
+  const unsigned int shapes = marks->shapes[mark];
+  SceneItem item = { .emphasis = EMPHASIS_NORMAL };
+
+  if (mark == ROLE_LIT)
+    return lit_sample (kind, LIT_SELECTED);
+  if (mark == LEGEND_POINTED)
+    return lit_sample (kind, LIT_HOVER);
+  if (mark == LEGEND_NEW_CELL || mark == LEGEND_OTHER_NEW_CELL)
+    return new_cell_sample (mark == LEGEND_NEW_CELL ? marks->new_hue
+                                                    : marks->other_new_hue);
+  item.shape = shapes & 1u << SHAPE_POLYGON ? SHAPE_POLYGON
+               : shapes & 1u << SHAPE_PATH  ? SHAPE_PATH
+                                            : SHAPE_MARK;
+  item.role = mark < N_ROLES ? (Role)mark : ROLE_VORONOI_VERTEX;
+  if (mark == LEGEND_SELECTED_VERTEX || mark == ROLE_CIRCLE_SELECTED)
+    item.lit = LIT_SELECTED;
+  return item;
+}
