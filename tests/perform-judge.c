@@ -28,7 +28,7 @@ typedef struct Asked {
   const PerformJudge *judge;
   const Trace *trace;
   const Task *task;
-  const Moment *moment;
+  const Standing *standing;
   GArray *right; /* of Object */
 } Asked;
 
@@ -52,10 +52,10 @@ judge_hand_over (const Asked *asked)
 {
   for (guint i = 0; i < asked->trace->n_facets; i++) {
     const FacetRow *row = &asked->trace->facets[i];
-    const gboolean is_new = span_has (row->span, asked->moment->step)
+    const gboolean is_new = span_has (row->span, asked->standing->step)
                             && row->round == asked->task->round;
 
-    if (is_new && moment_sees (asked->moment, i, asked->task->site))
+    if (is_new && standing_sees (asked->standing, i, asked->task->site))
       add (asked, OBJECT_FACET, i);
   }
 }
@@ -100,18 +100,19 @@ judge_site (const Asked *asked)
 static void
 judge_see (const Asked *asked)
 {
-  for (guint i = 0; i < asked->moment->n_facets; i++)
-    if (moment_sees (asked->moment, asked->moment->facets[i], apex (asked)))
-      add (asked, OBJECT_FACET, asked->moment->facets[i]);
+  for (guint i = 0; i < asked->standing->n_facets; i++)
+    if (standing_sees (asked->standing, asked->standing->facets[i],
+                       apex (asked)))
+      add (asked, OBJECT_FACET, asked->standing->facets[i]);
 }
 
 /* Whether a ridge that stands has one visible facet beside it. */
 static gboolean
 is_on_horizon (const Asked *asked, RidgeRow row)
 {
-  return span_has (row.span, asked->moment->step)
-         && moment_sees (asked->moment, row.facet[0], apex (asked))
-                != moment_sees (asked->moment, row.facet[1], apex (asked));
+  return span_has (row.span, asked->standing->step)
+         && standing_sees (asked->standing, row.facet[0], apex (asked))
+                != standing_sees (asked->standing, row.facet[1], apex (asked));
 }
 
 static void
@@ -131,8 +132,8 @@ is_lower (const Asked *asked, const uint32_t corner[3])
 
   if (judge_orient (judge, corner[0], corner[1], corner[2]) == 0)
     return FALSE;
-  for (guint i = 0; i < asked->moment->n_active; i++)
-    if (judge_circle (judge, corner, asked->moment->active[i]) < 0)
+  for (guint i = 0; i < asked->standing->n_active; i++)
+    if (judge_circle (judge, corner, asked->standing->active[i]) < 0)
       return FALSE;
   return TRUE;
 }
@@ -160,9 +161,9 @@ perform_judge_answer (const PerformJudge *judge, const Performance *performance)
   const Task *task = performance_task (performance);
   const Fixture fixture = { (char *)"performance", performance->run->set,
                             performance->run->trace };
-  g_autoptr (Moment) moment
-      = moment_new (&fixture, judge->judge, task->exercise->occasion.step);
-  const Asked asked = { judge, fixture.trace, task, moment,
+  g_autoptr (Standing) standing
+      = standing_new (&fixture, judge->judge, task->exercise->occasion.step);
+  const Asked asked = { judge, fixture.trace, task, standing,
                         g_array_new (FALSE, FALSE, sizeof (Object)) };
 
   find[task->kind](&asked);

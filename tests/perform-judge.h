@@ -4,8 +4,8 @@
 #ifndef PERFORM_JUDGE_H
 #define PERFORM_JUDGE_H
 
-#include "moment.h"
 #include "performance.h"
+#include "standing.h"
 
 typedef struct PerformJudge {
   Judge *judge;

@@ -2,7 +2,7 @@
  * sites, in integers of any length. A cell is the set of all sites on one
  * circle or line, one bit each. */
 #include "frame.h"
-#include "moment.h"
+#include "standing.h"
 
 #include <string.h>
 
@@ -49,13 +49,13 @@ cells_are_equal (GArray *a, GArray *b)
 /* Returns: the sites on the circle of three, 0 when they are collinear or
  *          when one lies on its wrong side: -1 inside, +1 outside. */
 static guint64
-cell_of_circle (const Moment *moment, const uint32_t site[3], int wrong)
+cell_of_circle (const Standing *standing, const uint32_t site[3], int wrong)
 {
   guint64 cell = 0;
 
-  for (uint32_t i = 0; i < moment->n_active; i++) {
-    const uint32_t other = moment->active[i];
-    const int side = judge_circle (moment->judge, site, other);
+  for (uint32_t i = 0; i < standing->n_active; i++) {
+    const uint32_t other = standing->active[i];
+    const int side = judge_circle (standing->judge, site, other);
 
     if (side == wrong)
       return 0;
@@ -68,14 +68,14 @@ cell_of_circle (const Moment *moment, const uint32_t site[3], int wrong)
 /* Returns: the sites on the line of two when they are three or more and no
  *          site lies to its right, else 0. */
 static guint64
-cell_of_line (const Moment *moment, uint32_t tail, uint32_t head)
+cell_of_line (const Standing *standing, uint32_t tail, uint32_t head)
 {
   guint64 cell = 0;
   uint32_t n = 0;
 
-  for (uint32_t i = 0; i < moment->n_active; i++) {
-    const uint32_t other = moment->active[i];
-    const int turn = judge_orient (moment->judge, tail, head, other);
+  for (uint32_t i = 0; i < standing->n_active; i++) {
+    const uint32_t other = standing->active[i];
+    const int turn = judge_orient (standing->judge, tail, head, other);
 
     if (turn < 0)
       return 0;
@@ -97,54 +97,55 @@ add_cell (GArray *cells, guint64 cell)
 /* All circles through three active sites that have no site on the wrong side.
  */
 static GArray *
-all_circles (const Moment *moment, int wrong)
+all_circles (const Standing *standing, int wrong)
 {
   GArray *cells = cells_new ();
-  const uint32_t n = moment->n_active;
-  const uint32_t *at = moment->active;
+  const uint32_t n = standing->n_active;
+  const uint32_t *at = standing->active;
 
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t j = 0; j < i; j++)
       for (uint32_t k = 0; k < j; k++) {
         const uint32_t site[3] = { at[i], at[j], at[k] };
 
-        if (judge_orient (moment->judge, at[i], at[j], at[k]) != 0)
-          add_cell (cells, cell_of_circle (moment, site, wrong));
+        if (judge_orient (standing->judge, at[i], at[j], at[k]) != 0)
+          add_cell (cells, cell_of_circle (standing, site, wrong));
       }
   return cells;
 }
 
 static GArray *
-all_lines (const Moment *moment)
+all_lines (const Standing *standing)
 {
   GArray *cells = cells_new ();
-  const uint32_t n = moment->n_active;
+  const uint32_t n = standing->n_active;
 
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t j = 0; j < n; j++)
       if (i != j)
-        add_cell (cells,
-                  cell_of_line (moment, moment->active[i], moment->active[j]));
+        add_cell (cells, cell_of_line (standing, standing->active[i],
+                                       standing->active[j]));
   return cells;
 }
 
 static GArray *
-cells_of_facets (const Moment *moment, Facing part)
+cells_of_facets (const Standing *standing, Facing part)
 {
   GArray *cells = cells_new ();
 
-  for (uint32_t i = 0; i < moment->n_facets; i++) {
-    const FacetRow *row = &moment->fixture->trace->facets[moment->facets[i]];
+  for (uint32_t i = 0; i < standing->n_facets; i++) {
+    const FacetRow *row
+        = &standing->fixture->trace->facets[standing->facets[i]];
     const uint32_t *site = row->site;
 
     if (row->facing != part)
       continue;
     if (part != FACING_VERTICAL)
       add_cell (cells,
-                cell_of_circle (moment, site, part == FACING_LOWER ? -1 : 1));
+                cell_of_circle (standing, site, part == FACING_LOWER ? -1 : 1));
     else
       for (uint32_t k = 0; k < 3; k++)
-        add_cell (cells, cell_of_line (moment, site[k], site[(k + 1) % 3]));
+        add_cell (cells, cell_of_line (standing, site[k], site[(k + 1) % 3]));
   }
   return cells;
 }
@@ -168,32 +169,32 @@ cells_of_groups (const Delaunay *delaunay)
 }
 
 static void
-check_groups (const Moment *moment)
+check_groups (const Standing *standing)
 {
-  g_autoptr (GArray) expected = all_circles (moment, -1);
+  g_autoptr (GArray) expected = all_circles (standing, -1);
   g_autoptr (GArray) found = NULL;
   Frame frame;
 
-  frame_init (&frame, moment->fixture->trace, moment->step);
+  frame_init (&frame, standing->fixture->trace, standing->step);
   found = cells_of_groups (&frame.delaunay);
-  moment_assert (moment, cells_are_equal (found, expected));
-  moment_assert (moment, frame.voronoi.n_vertices == expected->len);
+  standing_assert (standing, cells_are_equal (found, expected));
+  standing_assert (standing, frame.voronoi.n_vertices == expected->len);
   frame_clear (&frame);
 }
 
 static void
-check_facets (const Moment *moment)
+check_facets (const Standing *standing)
 {
-  g_autoptr (GArray) lower = cells_of_facets (moment, FACING_LOWER);
-  g_autoptr (GArray) upper = cells_of_facets (moment, FACING_UPPER);
-  g_autoptr (GArray) vertical = cells_of_facets (moment, FACING_VERTICAL);
-  g_autoptr (GArray) empty_circles = all_circles (moment, -1);
-  g_autoptr (GArray) full_circles = all_circles (moment, 1);
-  g_autoptr (GArray) lines = all_lines (moment);
+  g_autoptr (GArray) lower = cells_of_facets (standing, FACING_LOWER);
+  g_autoptr (GArray) upper = cells_of_facets (standing, FACING_UPPER);
+  g_autoptr (GArray) vertical = cells_of_facets (standing, FACING_VERTICAL);
+  g_autoptr (GArray) empty_circles = all_circles (standing, -1);
+  g_autoptr (GArray) full_circles = all_circles (standing, 1);
+  g_autoptr (GArray) lines = all_lines (standing);
 
-  moment_assert (moment, cells_are_equal (lower, empty_circles));
-  moment_assert (moment, cells_are_equal (upper, full_circles));
-  moment_assert (moment, cells_are_equal (vertical, lines));
+  standing_assert (standing, cells_are_equal (lower, empty_circles));
+  standing_assert (standing, cells_are_equal (upper, full_circles));
+  standing_assert (standing, cells_are_equal (vertical, lines));
 }
 
 static void
@@ -205,11 +206,11 @@ check_rounds (const Fixture *fixture)
 
   g_assert_cmpuint (fixture->set->n_sites, <=, MAX_SITES);
   for (;;) {
-    g_autoptr (Moment) moment = moment_new (fixture, judge, step);
+    g_autoptr (Standing) standing = standing_new (fixture, judge, step);
 
-    check_groups (moment);
+    check_groups (standing);
     if (!trace->is_flat)
-      check_facets (moment);
+      check_facets (standing);
     if (step == trace->n_events)
       return;
     step = timeline_next (trace, step, GRAIN_ROUND);

@@ -1,6 +1,6 @@
 #include "frame.h"
 
-#include "moment.h"
+#include "standing.h"
 
 #include <string.h>
 
@@ -108,22 +108,22 @@ test_hash_tells_steps_apart (void)
   }
 }
 
-typedef void (*CheckFrame) (const Frame *frame, const Moment *moment);
+typedef void (*CheckFrame) (const Frame *frame, const Standing *standing);
 static CheckFrame check_frame;
 
-/* The moment beside a frame is that of its base. */
+/* What stands beside a frame is that of its base. */
 static void
 visit_steps (const Fixture *fixture)
 {
   g_autoptr (Judge) judge = judge_new (fixture->set);
 
   for (uint32_t step = 0; step <= fixture->trace->n_events; step++) {
-    g_autoptr (Moment) moment = NULL;
+    g_autoptr (Standing) standing = NULL;
     Frame frame;
 
     frame_init (&frame, fixture->trace, step);
-    moment = moment_new (fixture, judge, frame.base);
-    check_frame (&frame, moment);
+    standing = standing_new (fixture, judge, frame.base);
+    check_frame (&frame, standing);
     frame_clear (&frame);
   }
 }
@@ -152,51 +152,54 @@ count_events (const Frame *frame, EventKind kind)
 }
 
 static void
-check_round_counts (const Frame *frame, const Moment *moment)
+check_round_counts (const Frame *frame, const Standing *standing)
 {
   const FrameCounts *counts = &frame->counts;
 
-  moment_assert (moment,
-                 counts->visible == count_events (frame, EVENT_VISIBLE));
-  moment_assert (moment,
-                 counts->horizon == count_events (frame, EVENT_HORIZON));
-  moment_assert (moment, counts->cone == count_events (frame, EVENT_CONE));
-  moment_assert (moment, counts->retired == count_events (frame, EVENT_RETIRE));
+  standing_assert (standing,
+                   counts->visible == count_events (frame, EVENT_VISIBLE));
+  standing_assert (standing,
+                   counts->horizon == count_events (frame, EVENT_HORIZON));
+  standing_assert (standing, counts->cone == count_events (frame, EVENT_CONE));
+  standing_assert (standing,
+                   counts->retired == count_events (frame, EVENT_RETIRE));
 }
 
 static void
-check_kind_counts (const Frame *frame, const Moment *moment)
+check_kind_counts (const Frame *frame, const Standing *standing)
 {
   const FrameCounts *counts = &frame->counts;
 
-  moment_assert (moment, counts->facets == moment->n_facets);
-  moment_assert (moment, counts->lower == moment_count (moment, FACING_LOWER));
-  moment_assert (moment, counts->upper == moment_count (moment, FACING_UPPER));
-  moment_assert (moment,
-                 counts->vertical == moment_count (moment, FACING_VERTICAL));
+  standing_assert (standing, counts->facets == standing->n_facets);
+  standing_assert (standing,
+                   counts->lower == standing_count (standing, FACING_LOWER));
+  standing_assert (standing,
+                   counts->upper == standing_count (standing, FACING_UPPER));
+  standing_assert (standing, counts->vertical
+                                 == standing_count (standing, FACING_VERTICAL));
 }
 
 /* Euler, with d sites and b of them on the border. */
 static void
-check_diagram_counts (const Frame *frame, const Moment *moment)
+check_diagram_counts (const Frame *frame, const Standing *standing)
 {
   const FrameCounts *counts = &frame->counts;
-  const uint32_t d = moment->n_active, b = moment->n_boundary;
+  const uint32_t d = standing->n_active, b = standing->n_boundary;
 
-  moment_assert (moment, frame->delaunay.n_active == d);
-  if (moment->n_corners < 3) {
-    moment_assert (moment, counts->triangles == 0);
-    moment_assert (moment, counts->delaunay_edges == (d == 0 ? 0 : d - 1));
+  standing_assert (standing, frame->delaunay.n_active == d);
+  if (standing->n_corners < 3) {
+    standing_assert (standing, counts->triangles == 0);
+    standing_assert (standing, counts->delaunay_edges == (d == 0 ? 0 : d - 1));
     return;
   }
-  moment_assert (moment, counts->triangles == 2 * d - 2 - b);
-  moment_assert (moment, counts->delaunay_edges == 3 * d - 3 - b);
-  moment_assert (moment, counts->rays == b);
-  moment_assert (moment, frame->delaunay.n_extreme == moment->n_corners);
+  standing_assert (standing, counts->triangles == 2 * d - 2 - b);
+  standing_assert (standing, counts->delaunay_edges == 3 * d - 3 - b);
+  standing_assert (standing, counts->rays == b);
+  standing_assert (standing, frame->delaunay.n_extreme == standing->n_corners);
 }
 
 static void
-check_site_counts (const Frame *frame, const Moment *moment)
+check_site_counts (const Frame *frame, const Standing *standing)
 {
   const Trace *trace = frame->trace;
   uint32_t n_inserted = 0;
@@ -204,19 +207,19 @@ check_site_counts (const Frame *frame, const Moment *moment)
   for (uint32_t i = 0; i < frame->n_sites; i++) {
     const SiteState state = frame->sites[i].state;
 
-    moment_assert (moment,
-                   (trace->set->first[i] != i) == (state == SITE_DUPLICATE));
+    standing_assert (standing,
+                     (trace->set->first[i] != i) == (state == SITE_DUPLICATE));
     n_inserted += trace->inserted[i] <= frame->step;
   }
-  moment_assert (moment, frame->counts.n_inserted == n_inserted);
-  moment_assert (moment,
-                 frame->counts.waiting == trace->set->n_distinct - n_inserted);
+  standing_assert (standing, frame->counts.n_inserted == n_inserted);
+  standing_assert (standing, frame->counts.waiting
+                                 == trace->set->n_distinct - n_inserted);
 }
 
 /* From the choice of a site to the last retirement nothing that stood before
  * the round leaves the picture and nothing joins its triangulation. */
 static void
-check_triangulation_waits (const Frame *frame, const Moment *moment)
+check_triangulation_waits (const Frame *frame, const Standing *standing)
 {
   const RoundRow *row;
   uint32_t n_standing = 0;
@@ -224,17 +227,17 @@ check_triangulation_waits (const Frame *frame, const Moment *moment)
   if (frame->round == INDEX_NONE)
     return;
   row = &frame->trace->rounds[frame->round];
-  moment_assert (
-      moment,
+  standing_assert (
+      standing,
       frame->base
           == (frame->step < row->last_retire ? row->select - 1 : frame->step));
   for (uint32_t i = 0; i < frame->n_facets; i++)
     if (frame->facets[i].roles & FACET_STANDS) {
-      moment_assert (moment,
-                     frame->facets[i].facet == moment->facets[n_standing]);
+      standing_assert (standing,
+                       frame->facets[i].facet == standing->facets[n_standing]);
       n_standing += 1;
     }
-  moment_assert (moment, n_standing == moment->n_facets);
+  standing_assert (standing, n_standing == standing->n_facets);
 }
 
 /* What the events so far say of a facet in the current round. */
@@ -261,7 +264,7 @@ roles_by_events (const Frame *frame, uint32_t facet)
 }
 
 static void
-check_roles (const Frame *frame, const Moment *moment)
+check_roles (const Frame *frame, const Standing *standing)
 {
   const bool is_inside = frame->base != frame->step;
 
@@ -269,16 +272,16 @@ check_roles (const Frame *frame, const Moment *moment)
     const uint32_t roles = frame_facet_roles (frame, facet) & ~FACET_STANDS;
 
     if (is_inside)
-      moment_assert (moment, roles == roles_by_events (frame, facet));
+      standing_assert (standing, roles == roles_by_events (frame, facet));
     else
-      moment_assert (moment, (roles & ~(uint32_t)FACET_NEW) == 0);
+      standing_assert (standing, (roles & ~(uint32_t)FACET_NEW) == 0);
   }
 }
 
 /* Once all visible facets are found, the Voronoi vertices that die are those
  * whose circle holds the current site. */
 static void
-check_dying (const Frame *frame, const Moment *moment)
+check_dying (const Frame *frame, const Standing *standing)
 {
   const bool is_complete
       = frame->base != frame->step && frame->place.phase >= PHASE_HORIZON;
@@ -288,32 +291,33 @@ check_dying (const Frame *frame, const Moment *moment)
     const uint32_t *corner = frame->delaunay.triangles[triangle].site;
 
     if (is_complete)
-      moment_assert (
-          moment, frame->is_dying[i]
-                      == (judge_circle (moment->judge, corner,
-                                        frame->trace->rounds[frame->round].site)
-                          < 0));
+      standing_assert (
+          standing,
+          frame->is_dying[i]
+              == (judge_circle (standing->judge, corner,
+                                frame->trace->rounds[frame->round].site)
+                  < 0));
     else if (frame->base == frame->step)
-      moment_assert (moment, !frame->is_dying[i]);
+      standing_assert (standing, !frame->is_dying[i]);
   }
 }
 
 static void
-check_horizon (const Frame *frame, const Moment *moment)
+check_horizon (const Frame *frame, const Standing *standing)
 {
   const RoundRow *row;
 
   if (frame->n_horizon == 0)
     return;
   row = &frame->trace->rounds[frame->round];
-  moment_assert (moment, frame->n_horizon == frame->counts.horizon);
+  standing_assert (standing, frame->n_horizon == frame->counts.horizon);
   for (uint32_t i = 0; i < frame->n_horizon; i++) {
     const Event event = trace_event (frame->trace, row->first_horizon - 1 + i);
 
-    moment_assert (moment, frame->horizon[i].site[0] == event.ridge[0]);
-    moment_assert (moment, frame->horizon[i].site[1] == event.ridge[1]);
-    moment_assert (moment, frame->horizon[i].beyond == event.facet);
-    moment_assert (moment, frame->sites[event.ridge[0]].is_changed);
+    standing_assert (standing, frame->horizon[i].site[0] == event.ridge[0]);
+    standing_assert (standing, frame->horizon[i].site[1] == event.ridge[1]);
+    standing_assert (standing, frame->horizon[i].beyond == event.facet);
+    standing_assert (standing, frame->sites[event.ridge[0]].is_changed);
   }
 }
 

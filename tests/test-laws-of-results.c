@@ -1,6 +1,6 @@
 /* The laws of the finished hull and of its diagrams. */
 #include "frame.h"
-#include "moment.h"
+#include "standing.h"
 
 /* A maximal set of sites on the circle of one facet, as text: "1 4 7". */
 static char *
@@ -199,20 +199,21 @@ static void
 check_unbounded_cells (const Fixture *fixture)
 {
   g_autoptr (Judge) judge = judge_new (fixture->set);
-  g_autoptr (Moment) moment
-      = moment_new (fixture, judge, fixture->trace->n_events);
+  g_autoptr (Standing) standing
+      = standing_new (fixture, judge, fixture->trace->n_events);
   Frame frame;
 
   frame_init (&frame, fixture->trace, fixture->trace->n_events);
-  if (moment->n_corners > 2) {
-    moment_assert (moment, frame.voronoi.n_rays == moment->n_boundary);
-    for (uint32_t i = 0; i < moment->n_active; i++) {
-      const uint32_t site = moment->active[i];
+  if (standing->n_corners > 2) {
+    standing_assert (standing, frame.voronoi.n_rays == standing->n_boundary);
+    for (uint32_t i = 0; i < standing->n_active; i++) {
+      const uint32_t site = standing->active[i];
       const bool is_inner
-          = judge_inside (judge, moment->corners, moment->n_corners, site) > 0;
+          = judge_inside (judge, standing->corners, standing->n_corners, site)
+            > 0;
 
-      moment_assert (moment,
-                     count_rays (&frame.voronoi, site) == (is_inner ? 0 : 2));
+      standing_assert (standing,
+                       count_rays (&frame.voronoi, site) == (is_inner ? 0 : 2));
     }
   }
   frame_clear (&frame);

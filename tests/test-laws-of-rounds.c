@@ -1,11 +1,11 @@
 /* The laws of one insertion, at every round of many sets. */
-#include "moment.h"
+#include "standing.h"
 
 /* One round with what stands before and after it. */
 typedef struct Round {
   const Fixture *fixture;
   const RoundRow *row;
-  Moment *before, *after;
+  Standing *before, *after;
 } Round;
 
 /* How often each case of a round came; a law that is never put to the test
@@ -25,8 +25,9 @@ visit_rounds (const Fixture *fixture)
 
   for (uint32_t i = 0; i < trace->n_rounds; i++) {
     const RoundRow *row = &trace->rounds[i];
-    g_autoptr (Moment) before = moment_new (fixture, judge, row->select - 1);
-    g_autoptr (Moment) after = moment_new (fixture, judge, row->end);
+    g_autoptr (Standing) before
+        = standing_new (fixture, judge, row->select - 1);
+    g_autoptr (Standing) after = standing_new (fixture, judge, row->end);
 
     check_round (&(Round){ fixture, row, before, after });
   }
@@ -57,7 +58,7 @@ count_seen (const Round *round, Facing facing)
     const uint32_t facet = round->before->facets[i];
 
     n += is_seen (round, facet)
-         && moment_facing (round->before, facet) == facing;
+         && standing_facing (round->before, facet) == facing;
   }
   return n;
 }
@@ -75,12 +76,12 @@ check_seen_facets (const Round *round)
   for (uint32_t i = 0; i < round->before->n_facets; i++) {
     const uint32_t facet = round->before->facets[i];
 
-    moment_assert (round->before,
-                   is_seen (round, facet)
-                       == moment_sees (round->before, facet, round->row->site));
-    moment_assert (round->before,
-                   moment_facing (round->before, facet)
-                       == round->fixture->trace->facets[facet].facing);
+    standing_assert (round->before, is_seen (round, facet)
+                                        == standing_sees (round->before, facet,
+                                                          round->row->site));
+    standing_assert (round->before,
+                     standing_facing (round->before, facet)
+                         == round->fixture->trace->facets[facet].facing);
   }
 }
 
@@ -93,7 +94,7 @@ check_inside_sees_lower_only (const Round *round)
   const int place = place_of_apex (round);
 
   if (place >= 0)
-    moment_assert (round->before, lower > 0 && upper == 0 && vertical == 0);
+    standing_assert (round->before, lower > 0 && upper == 0 && vertical == 0);
   cases.inside += place > 0;
   cases.border += place == 0;
   cases.vertical += vertical > 0;
@@ -108,29 +109,31 @@ static void
 check_counts (const Round *round)
 {
   const RoundRow *row = round->row;
-  const Moment *after = round->after;
+  const Standing *after = round->after;
   const uint32_t visible = row->last_visible - row->first_visible + 1;
   const uint32_t horizon = row->last_horizon - row->first_horizon + 1;
   const uint32_t cone = row->last_cone - row->first_cone + 1;
   const uint32_t retired = row->last_retire - row->first_retire + 1;
 
-  moment_assert (after, cone == horizon);
-  moment_assert (after, cone == visible + 2);
-  moment_assert (after, retired == visible);
-  moment_assert (after, after->n_active == round->before->n_active + 1);
-  moment_assert (after, after->n_facets == 2 * after->n_active - 4);
+  standing_assert (after, cone == horizon);
+  standing_assert (after, cone == visible + 2);
+  standing_assert (after, retired == visible);
+  standing_assert (after, after->n_active == round->before->n_active + 1);
+  standing_assert (after, after->n_facets == 2 * after->n_active - 4);
 }
 
 /* Between the rounds, with b sites on the border and h corners. */
 static void
-check_kinds (const Moment *moment)
+check_kinds (const Standing *standing)
 {
-  const uint32_t d = moment->n_active;
-  const uint32_t b = moment->n_boundary, h = moment->n_corners;
+  const uint32_t d = standing->n_active;
+  const uint32_t b = standing->n_boundary, h = standing->n_corners;
 
-  moment_assert (moment, moment_count (moment, FACING_LOWER) == 2 * d - 2 - b);
-  moment_assert (moment, moment_count (moment, FACING_UPPER) == h - 2);
-  moment_assert (moment, moment_count (moment, FACING_VERTICAL) == b - h);
+  standing_assert (standing,
+                   standing_count (standing, FACING_LOWER) == 2 * d - 2 - b);
+  standing_assert (standing, standing_count (standing, FACING_UPPER) == h - 2);
+  standing_assert (standing,
+                   standing_count (standing, FACING_VERTICAL) == b - h);
 }
 
 static void
@@ -149,21 +152,21 @@ check_changes (const Round *round)
   const uint32_t h_after = round->after->n_corners;
   uint32_t lower = 0, upper = 0;
 
-  if (moment_count (round->before, FACING_VERTICAL) > 0
-      || moment_count (round->after, FACING_VERTICAL) > 0)
+  if (standing_count (round->before, FACING_VERTICAL) > 0
+      || standing_count (round->after, FACING_VERTICAL) > 0)
     return;
   for (uint32_t i = 0; i < round->after->n_facets; i++) {
     const uint32_t facet = round->after->facets[i];
 
     if (round->fixture->trace->facets[facet].span.birth < round->row->select)
       continue;
-    lower += moment_facing (round->after, facet) == FACING_LOWER;
-    upper += moment_facing (round->after, facet) == FACING_UPPER;
+    lower += standing_facing (round->after, facet) == FACING_LOWER;
+    upper += standing_facing (round->after, facet) == FACING_UPPER;
   }
-  moment_assert (round->after,
-                 lower + h_after == count_seen (round, FACING_LOWER) + 2 + h);
-  moment_assert (round->after,
-                 upper + h == count_seen (round, FACING_UPPER) + h_after);
+  standing_assert (round->after,
+                   lower + h_after == count_seen (round, FACING_LOWER) + 2 + h);
+  standing_assert (round->after,
+                   upper + h == count_seen (round, FACING_UPPER) + h_after);
 }
 
 static Event
@@ -185,9 +188,9 @@ check_loop (const Round *round)
     const Event ridge = horizon_event (round, i);
     const Event next = horizon_event (round, i + 1);
 
-    moment_assert (round->before, ridge.ridge[1] == next.ridge[0]);
-    moment_assert (round->before, !is_met[ridge.ridge[0]]);
-    moment_assert (round->before, !is_seen (round, ridge.facet));
+    standing_assert (round->before, ridge.ridge[1] == next.ridge[0]);
+    standing_assert (round->before, !is_met[ridge.ridge[0]]);
+    standing_assert (round->before, !is_seen (round, ridge.facet));
     is_met[ridge.ridge[0]] = true;
   }
 }
@@ -204,10 +207,10 @@ check_star (const Round *round)
   for (uint32_t i = 0; i < n; i++) {
     const Event event = horizon_event (round, i);
 
-    moment_assert (round->before,
-                   judge_orient (round->before->judge, event.ridge[0],
-                                 event.ridge[1], round->row->site)
-                       < 0);
+    standing_assert (round->before,
+                     judge_orient (round->before->judge, event.ridge[0],
+                                   event.ridge[1], round->row->site)
+                         < 0);
   }
 }
 
@@ -232,32 +235,32 @@ check_shadow (const Round *round)
                         && count_seen (round, FACING_UPPER) > 0;
 
   if (!is_mixed)
-    moment_assert (round->before, count_crossings (round) == 0);
+    standing_assert (round->before, count_crossings (round) == 0);
 }
 
 /* Every circle is empty and the triangles fill the hull. */
 static void
 check_delaunay (const Round *round)
 {
-  const Moment *moment = round->after;
-  const Judge *judge = moment->judge;
+  const Standing *standing = round->after;
+  const Judge *judge = standing->judge;
   mpz_t area, whole;
 
   mpz_inits (area, whole, NULL);
-  judge_add_area (judge, moment->corners, moment->n_corners, whole);
-  for (uint32_t i = 0; i < moment->n_facets; i++) {
+  judge_add_area (judge, standing->corners, standing->n_corners, whole);
+  for (uint32_t i = 0; i < standing->n_facets; i++) {
     const uint32_t *site
-        = round->fixture->trace->facets[moment->facets[i]].site;
+        = round->fixture->trace->facets[standing->facets[i]].site;
 
-    if (moment_facing (moment, moment->facets[i]) != FACING_LOWER)
+    if (standing_facing (standing, standing->facets[i]) != FACING_LOWER)
       continue;
-    for (uint32_t k = 0; k < moment->n_active; k++)
-      moment_assert (moment,
-                     judge_circle (judge, site, moment->active[k]) >= 0);
+    for (uint32_t k = 0; k < standing->n_active; k++)
+      standing_assert (standing,
+                       judge_circle (judge, site, standing->active[k]) >= 0);
     judge_add_area (judge, site, 3, area);
   }
   mpz_neg (area, area); /* their shadows are clockwise */
-  moment_assert (moment, mpz_cmp (area, whole) == 0);
+  standing_assert (standing, mpz_cmp (area, whole) == 0);
   mpz_clears (area, whole, NULL);
 }
 
@@ -265,36 +268,40 @@ check_delaunay (const Round *round)
 static void
 check_upper (const Round *round)
 {
-  const Moment *moment = round->after;
+  const Standing *standing = round->after;
 
-  for (uint32_t i = 0; i < moment->n_facets; i++) {
+  for (uint32_t i = 0; i < standing->n_facets; i++) {
     const uint32_t *site
-        = round->fixture->trace->facets[moment->facets[i]].site;
+        = round->fixture->trace->facets[standing->facets[i]].site;
 
-    if (moment_facing (moment, moment->facets[i]) != FACING_UPPER)
+    if (standing_facing (standing, standing->facets[i]) != FACING_UPPER)
       continue;
-    for (uint32_t k = 0; k < moment->n_active; k++)
-      moment_assert (
-          moment, judge_circle (moment->judge, site, moment->active[k]) <= 0);
+    for (uint32_t k = 0; k < standing->n_active; k++)
+      standing_assert (standing,
+                       judge_circle (standing->judge, site, standing->active[k])
+                           <= 0);
   }
 }
 
 /* Compares how far in front of the facet two sites lie: by their powers, or
  * beyond a hull edge by the areas. */
 static int
-compare_further (const Moment *moment, uint32_t facet, uint32_t p, uint32_t q)
+compare_further (const Standing *standing,
+                 uint32_t facet,
+                 uint32_t p,
+                 uint32_t q)
 {
-  const uint32_t *site = moment->fixture->trace->facets[facet].site;
-  const Facing facing = moment_facing (moment, facet);
+  const uint32_t *site = standing->fixture->trace->facets[facet].site;
+  const Facing facing = standing_facing (standing, facet);
   mpz_t left, right;
   int sign;
 
   if (facing == FACING_VERTICAL)
-    return judge_compare_areas (moment->judge, site, p, q)
-           * judge_orient (moment->judge, site[0], site[1], p);
+    return judge_compare_areas (standing->judge, site, p, q)
+           * judge_orient (standing->judge, site[0], site[1], p);
   mpz_inits (left, right, NULL);
-  judge_power (moment->judge, site, p, left);
-  judge_power (moment->judge, site, q, right);
+  judge_power (standing->judge, site, p, left);
+  judge_power (standing->judge, site, q, right);
   sign = mpz_cmp (left, right);
   mpz_clears (left, right, NULL);
   return facing == FACING_LOWER ? -sign : sign;
@@ -316,13 +323,13 @@ check_furthest (const Round *round)
 
     if (!span_has (claim.span, round->before->step))
       continue;
-    moment_assert (round->before, claim.facet >= facet);
+    standing_assert (round->before, claim.facet >= facet);
     if (claim.facet != facet || claim.site == apex)
       continue;
     further = compare_further (round->before, facet, apex, claim.site);
     cases.ties_of_furthest += further == 0;
-    moment_assert (round->before,
-                   further > 0 || (further == 0 && apex < claim.site));
+    standing_assert (round->before,
+                     further > 0 || (further == 0 && apex < claim.site));
   }
 }
 
@@ -339,14 +346,14 @@ check_partition (const Round *round)
     if (!span_has (claim.span, round->after->step))
       continue;
     n_claims[claim.site] += 1;
-    moment_assert (round->after,
-                   moment_sees (round->after, claim.facet, claim.site));
+    standing_assert (round->after,
+                     standing_sees (round->after, claim.facet, claim.site));
   }
   for (uint32_t i = 0; i < trace->set->n_sites; i++) {
     const bool is_waiting
         = trace->set->first[i] == i && trace->inserted[i] > round->after->step;
 
-    moment_assert (round->after, n_claims[i] == (is_waiting ? 1 : 0));
+    standing_assert (round->after, n_claims[i] == (is_waiting ? 1 : 0));
   }
 }
 
@@ -372,19 +379,19 @@ static void
 check_first_simplex (const Fixture *fixture)
 {
   g_autoptr (Judge) judge = judge_new (fixture->set);
-  g_autoptr (Moment) moment = NULL;
+  g_autoptr (Standing) standing = NULL;
   uint32_t lower, upper;
 
   if (fixture->trace->is_flat)
     return;
-  moment = moment_new (fixture, judge, fixture->trace->simplex_end);
-  lower = moment_count (moment, FACING_LOWER);
-  upper = moment_count (moment, FACING_UPPER);
-  moment_assert (moment, moment->n_facets == 4);
-  moment_assert (moment, (lower == 2 && upper == 2)
-                             || (lower == 3 && upper == 1)
-                             || (lower == 2 && upper == 1));
-  check_kinds (moment);
+  standing = standing_new (fixture, judge, fixture->trace->simplex_end);
+  lower = standing_count (standing, FACING_LOWER);
+  upper = standing_count (standing, FACING_UPPER);
+  standing_assert (standing, standing->n_facets == 4);
+  standing_assert (standing, (lower == 2 && upper == 2)
+                                 || (lower == 3 && upper == 1)
+                                 || (lower == 2 && upper == 1));
+  check_kinds (standing);
 }
 
 static void

@@ -1,6 +1,6 @@
 #include "narration.h"
 
-#include "moment.h"
+#include "standing.h"
 
 #include <string.h>
 
@@ -110,15 +110,15 @@ check_tells_the_truth (const Fixture *fixture,
   const Event said = event_of_step (fixture, step);
   const Event *event = step == 0 ? NULL : &said;
   g_autoptr (Judge) judge = NULL;
-  g_autoptr (Moment) moment = NULL;
+  g_autoptr (Standing) standing = NULL;
   Facing facing;
 
   if (event == NULL || event->kind != EVENT_VISIBLE)
     return;
   judge = judge_new (fixture->set);
-  moment = moment_new (fixture, judge, step);
-  facing = moment_facing (moment, event->facet);
-  sentence_assert (moment_sees (moment, event->facet, event->site));
+  standing = standing_new (fixture, judge, step);
+  facing = standing_facing (standing, event->facet);
+  sentence_assert (standing_sees (standing, event->facet, event->site));
   sentence_assert (says (sentence, "its circle contains %", event->site)
                    == (facing == FACING_LOWER));
   sentence_assert (says (sentence, "% is outside its circle", event->site)

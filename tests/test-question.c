@@ -4,7 +4,7 @@
 #include "lesson-text.h"
 #include "lesson.h"
 #include "lift-judge.h"
-#include "moment.h"
+#include "standing.h"
 
 #include <string.h>
 
@@ -302,14 +302,14 @@ judge_visible (const Judged *judged,
                const Occasion *occasion)
 {
   g_autoptr (Answer) answer = answer_new (question, occasion);
-  g_autoptr (Moment) moment
-      = moment_new (judged->fixture, judged->judge, occasion->step);
+  g_autoptr (Standing) standing
+      = standing_new (judged->fixture, judged->judge, occasion->step);
   const guint site = occasion_round (occasion)->site;
 
-  for (guint i = 0; i < moment->n_facets; i++)
-    moment_assert (moment,
-                   has_object (answer, OBJECT_FACET, moment->facets[i])
-                       == moment_sees (moment, moment->facets[i], site));
+  for (guint i = 0; i < standing->n_facets; i++)
+    standing_assert (
+        standing, has_object (answer, OBJECT_FACET, standing->facets[i])
+                      == standing_sees (standing, standing->facets[i], site));
 }
 
 /* Whether no other site of the outside set lies further in front. */
@@ -356,13 +356,13 @@ judge_corners (const Judged *judged,
                const Occasion *occasion)
 {
   g_autoptr (Answer) answer = answer_new (question, occasion);
-  g_autoptr (Moment) moment
-      = moment_new (judged->fixture, judged->judge, occasion->step);
+  g_autoptr (Standing) standing
+      = standing_new (judged->fixture, judged->judge, occasion->step);
 
-  g_assert_cmpuint (answer->objects->len, ==, moment->n_corners);
-  for (guint i = 0; i < moment->n_corners; i++)
-    moment_assert (moment,
-                   has_object (answer, OBJECT_SITE, moment->corners[i]));
+  g_assert_cmpuint (answer->objects->len, ==, standing->n_corners);
+  for (guint i = 0; i < standing->n_corners; i++)
+    standing_assert (standing,
+                     has_object (answer, OBJECT_SITE, standing->corners[i]));
 }
 
 static void
@@ -371,21 +371,21 @@ judge_numbers (const Judged *judged,
                const Occasion *occasion)
 {
   g_autoptr (Answer) answer = answer_new (question, occasion);
-  g_autoptr (Moment) before
-      = moment_new (judged->fixture, judged->judge, occasion->step);
-  g_autoptr (Moment) after = moment_new (judged->fixture, judged->judge,
-                                         occasion_round (occasion)->end);
+  g_autoptr (Standing) before
+      = standing_new (judged->fixture, judged->judge, occasion->step);
+  g_autoptr (Standing) after = standing_new (judged->fixture, judged->judge,
+                                             occasion_round (occasion)->end);
   const gint64 *numbers = (const gint64 *)(gpointer)answer->numbers->data;
   const guint site = occasion_round (occasion)->site;
   guint n_dying = 0;
 
   for (guint i = 0; i < before->n_facets; i++)
-    n_dying += moment_facing (before, before->facets[i]) == FACING_LOWER
-               && moment_sees (before, before->facets[i], site);
+    n_dying += standing_facing (before, before->facets[i]) == FACING_LOWER
+               && standing_sees (before, before->facets[i], site);
   g_assert_cmpint (numbers[0], ==, n_dying);
   g_assert_cmpint (numbers[1], ==,
-                   moment_count (after, FACING_LOWER) + n_dying
-                       - moment_count (before, FACING_LOWER));
+                   standing_count (after, FACING_LOWER) + n_dying
+                       - standing_count (before, FACING_LOWER));
   g_assert_cmpint (numbers[2], ==, after->n_corners);
   g_assert_cmpint (numbers[3], ==, after->n_facets);
 }

@@ -2,7 +2,7 @@
  * worked out in rational arithmetic before the engine was written. */
 #include "exact.h"
 #include "frame.h"
-#include "moment.h"
+#include "standing.h"
 
 #include <math.h>
 
@@ -153,10 +153,10 @@ test_near_far6 (void)
   g_autoptr (Fixture) fixture = fixture_load ("near-far6", ORDER_FURTHEST);
   const uint32_t facet = fixture_facet (fixture, 2, 3, 0);
   g_autoptr (Judge) judge = judge_new (fixture->set);
-  g_autoptr (Moment) moment
-      = moment_new (fixture, judge, fixture->trace->start_end);
-  g_autofree char *seen = moment_seen (moment, 4);
-  g_autofree char *seen_by_5 = moment_seen (moment, 5);
+  g_autoptr (Standing) standing
+      = standing_new (fixture, judge, fixture->trace->start_end);
+  g_autofree char *seen = standing_seen (standing, 4);
+  g_autofree char *seen_by_5 = standing_seen (standing, 5);
   g_autofree char *name = g_strdup_printf ("%u", facet);
 
   g_assert_cmpstr (seen, ==, name);
@@ -179,10 +179,10 @@ test_gap6 (void)
   const uint32_t first = fixture_facet (fixture, 2, 3, 1);
   const uint32_t second = fixture_facet (fixture, 1, 3, 0);
   g_autoptr (Judge) judge = judge_new (fixture->set);
-  g_autoptr (Moment) moment
-      = moment_new (fixture, judge, fixture->trace->start_end);
-  g_autofree char *seen = moment_seen (moment, 4);
-  g_autofree char *seen_by_5 = moment_seen (moment, 5);
+  g_autoptr (Standing) standing
+      = standing_new (fixture, judge, fixture->trace->start_end);
+  g_autofree char *seen = standing_seen (standing, 4);
+  g_autofree char *seen_by_5 = standing_seen (standing, 5);
 
   g_assert_cmpuint (first, ==, 2);
   g_assert_cmpuint (second, ==, 3);

@@ -1,20 +1,20 @@
 /* What the curated site sets are curated for. The facts were worked out in
  * rational arithmetic before the engine was written. */
 #include "frame.h"
-#include "moment.h"
+#include "standing.h"
 
 /* The corners of the hull in the plane at the end, as text: "3 4 5". */
 static char *
 corners_at_end (const Fixture *fixture)
 {
   g_autoptr (Judge) judge = judge_new (fixture->set);
-  g_autoptr (Moment) moment
-      = moment_new (fixture, judge, fixture->trace->n_events);
+  g_autoptr (Standing) standing
+      = standing_new (fixture, judge, fixture->trace->n_events);
   GString *text = g_string_new (NULL);
 
   for (uint32_t site = 0; site < fixture->set->n_sites; site++)
-    for (uint32_t i = 0; i < moment->n_corners; i++)
-      if (moment->corners[i] == site)
+    for (uint32_t i = 0; i < standing->n_corners; i++)
+      if (standing->corners[i] == site)
         g_string_append_printf (text, "%s%u", text->len > 0 ? " " : "", site);
   return g_string_free (text, FALSE);
 }
@@ -49,12 +49,12 @@ test_lecture8_is_a_partition (void)
 {
   g_autoptr (Fixture) fixture = fixture_load ("lecture8", ORDER_FURTHEST);
   g_autoptr (Judge) judge = judge_new (fixture->set);
-  g_autoptr (Moment) moment
-      = moment_new (fixture, judge, fixture->trace->start_end);
+  g_autoptr (Standing) standing
+      = standing_new (fixture, judge, fixture->trace->start_end);
   static const guint n_moved[] = { 3, 0, 1, 0 };
 
   for (uint32_t site = 4; site < 8; site++) {
-    g_autofree char *seen = moment_seen (moment, site);
+    g_autofree char *seen = standing_seen (standing, site);
 
     g_assert_cmpstr (seen, ==, "0 1");
     g_assert_cmpuint (
