@@ -1,6 +1,7 @@
 /* Handouts of one lesson, in all parts. What poppler reads in them is judged
  * by test-handout-cli.py. */
 #include "handout.h"
+#include "moment.h"
 
 #include <string.h>
 
@@ -112,6 +113,61 @@ test_pages_are_painted_by_themselves (void)
   }
 }
 
+/* Returns: (transfer full): the sixth stop's pictures in round 1. */
+static cairo_surface_t *
+draw_moment (Session *session, MomentFace face, Phase phase)
+{
+  static const int width = 360, height = 180;
+  cairo_surface_t *surface
+      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, width, height);
+  cairo_t *cr = cairo_create (surface);
+  Moment moment = { session, 4, face, 0 };
+  g_autoptr (Block) block = NULL;
+  Appearance appearance;
+
+  session_set_stop (session, moment.stop);
+  g_assert_true (
+      session_find_step (session, (Place){ 1, phase }, FALSE, &moment.step));
+  appearance_init (&appearance);
+  block = moment_block (&moment, MOMENT_VIEWS, &appearance, width, height);
+  block_paint (block, cr, 0, 0);
+  cairo_destroy (cr);
+  cairo_surface_flush (surface);
+  return surface;
+}
+
+static gboolean
+looks_the_same (cairo_surface_t *a, cairo_surface_t *b)
+{
+  const gsize n = (gsize)cairo_image_surface_get_stride (a)
+                  * (gsize)cairo_image_surface_get_height (a);
+  const gboolean is_same = memcmp (cairo_image_surface_get_data (a),
+                                   cairo_image_surface_get_data (b), n)
+                           == 0;
+
+  cairo_surface_destroy (a);
+  cairo_surface_destroy (b);
+  return is_same;
+}
+
+/* What a blank asks for cannot be seen in the picture over it: masked, the
+ * pictures of a round are the same before and after anything is found. */
+static void
+test_masked_pictures_tell_nothing (void)
+{
+  static const Phase phases[] = { PHASE_SEE, PHASE_HORIZON, PHASE_CONE };
+  g_autoptr (Session) session = session_with_lesson ();
+
+  for (guint i = 0; i < G_N_ELEMENTS (phases); i++) {
+    g_assert_true (
+        looks_the_same (draw_moment (session, MOMENT_MASKED, PHASE_CHOOSE),
+                        draw_moment (session, MOMENT_MASKED, phases[i])));
+    g_assert_false (
+        looks_the_same (draw_moment (session, MOMENT_SHOWN, PHASE_CHOOSE),
+                        draw_moment (session, MOMENT_SHOWN, phases[i])));
+  }
+}
+
 static void
 test_full_disk (void)
 {
@@ -137,6 +193,8 @@ main (int argc, char **argv)
                    test_same_bytes);
   g_test_add_func ("/handout/pages-are-painted-by-themselves",
                    test_pages_are_painted_by_themselves);
+  g_test_add_func ("/handout/masked-pictures-tell-nothing",
+                   test_masked_pictures_tell_nothing);
   g_test_add_func ("/handout/a-full-disk-is-said", test_full_disk);
   return g_test_run ();
 }
