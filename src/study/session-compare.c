@@ -300,9 +300,8 @@ session_narrate_pane (Session *session, guint pane)
   return g_strdup (text);
 }
 
-/* Returns: the current site of one of the two runs, or INDEX_NONE. */
-static guint
-pane_apex (Session *session, guint pane)
+guint
+session_get_pane_apex (Session *session, guint pane)
 {
   const Frame *frame = pane == 0 ? session_get_frame (session)
                                  : session_get_other_frame (session);
@@ -329,7 +328,8 @@ session_narrate_compare (Session *session,
                          NarrationTranslate translator,
                          char text[NARRATION_ROOM])
 {
-  const guint apex[2] = { pane_apex (session, 0), pane_apex (session, 1) };
+  const guint apex[2] = { session_get_pane_apex (session, 0),
+                          session_get_pane_apex (session, 1) };
   const char *template = compare_template (session, apex);
   const NarrationParts parts
       = { .site = apex[0],

@@ -241,6 +241,9 @@ void session_set_compares_space (Session *session, gboolean space);
 /* Returns: (transfer full): the sentence of one of the two runs. */
 char *session_narrate_pane (Session *session, guint pane);
 
+/* Returns: the current site of one of the two runs, or INDEX_NONE. */
+guint session_get_pane_apex (Session *session, guint pane);
+
 /* Returns: (transfer full): "random 7", as lessons write it. */
 char *session_order_name (const Order *order);
 
