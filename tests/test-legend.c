@@ -63,7 +63,8 @@ static gboolean
 is_seen (const Theme *theme, const SceneItem *item)
 {
   const Style style = look_of (theme, item, LIT_NONE);
-  const Colour fill = colour_over (style.fill, theme->background);
+  const Colour fill
+      = colour_mix (theme->background, style.fill, style.fill.alpha);
 
   if (item->shape == SHAPE_MARK)
     return style.mark != MARK_NONE;
