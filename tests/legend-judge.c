@@ -1,0 +1,304 @@
+/* Judges the legend. */
+#include "legend-judge.h"
+
+#include "painter.h"
+#include "sight.h"
+
+#include <string.h>
+
+#define SWATCH_WIDTH 30
+#define SWATCH_HEIGHT 18
+
+typedef struct Moment {
+  Session *session;
+  const char *name;
+  guint place;
+  LegendMarks marks;
+  GPtrArray *rows; /* in the theme in hand */
+} Moment;
+
+static GHashTable *faults; /* told once each */
+static gboolean is_met[N_LEGEND_MARKS];
+
+static void
+tell (const Moment *moment, const Theme *theme, char *what)
+{
+  if (g_hash_table_add (faults, g_strdup (what)))
+    g_test_message ("%s %u, %s: %s", moment->name, moment->place, theme->name,
+                    what);
+  g_free (what);
+}
+
+/* Looks */
+
+static gboolean
+is_same_look (const Style *a, const Style *b)
+{
+  return colour_equal (a->fill, b->fill) && a->hatch == b->hatch
+         && colour_equal (a->line, b->line) && a->width == b->width
+         && a->dash == b->dash && a->gap == b->gap && a->mark == b->mark
+         && a->radius == b->radius;
+}
+
+static Style
+look_of (const Theme *theme, const SceneItem *item, Lit lit)
+{
+  SceneItem plain = *item;
+
+  /* Paleness is of the step; hues are the sites'. */
+  if (item->role != ROLE_CELL || item->emphasis == EMPHASIS_PALE)
+    plain.emphasis = EMPHASIS_NORMAL;
+  if (plain.emphasis != EMPHASIS_LOUD)
+    plain.hue = 0;
+  plain.fade = 0;
+  plain.lit = lit;
+  return theme_style (theme, &plain);
+}
+
+static gboolean
+is_seen (const Theme *theme, const SceneItem *item)
+{
+  const Style style = look_of (theme, item, LIT_NONE);
+  const Colour fill = sight_over (style.fill, theme->background);
+
+  if (item->shape == SHAPE_MARK)
+    return style.mark != MARK_NONE;
+  if (style.line.alpha > 0 && (style.width > 0 || style.hatch != HATCH_NONE))
+    return TRUE;
+  return item->shape == SHAPE_POLYGON && style.fill.alpha > 0
+         && sight_contrast (fill, theme->background) > 1.001;
+}
+
+/* Of what a row explains too. */
+static gboolean
+is_kin (Role role, Role row)
+{
+  return (role == ROLE_RIM && row == ROLE_SHEET)
+         || (role == ROLE_FOOT_APEX && row == ROLE_SITE_APEX);
+}
+
+static gboolean
+is_explained (const Moment *moment, const Theme *theme, const SceneItem *item)
+{
+  const Style look = look_of (theme, item, LIT_NONE);
+
+  for (guint i = 0; i < moment->rows->len; i++) {
+    const LegendRow *row = g_ptr_array_index (moment->rows, i);
+    const Style sample = look_of (theme, &row->sample, LIT_NONE);
+
+    if (is_kin (item->role, row->sample.role) || is_same_look (&look, &sample))
+      return TRUE;
+  }
+  return FALSE;
+}
+
+/* What is selected is an outline or a ring, and has a row for each; what is
+ * pointed at has one row. */
+static gboolean
+is_light_explained (const Moment *moment,
+                    const Theme *theme,
+                    const SceneItem *item)
+{
+  for (guint i = 0; i < moment->rows->len; i++) {
+    const LegendRow *row = g_ptr_array_index (moment->rows, i);
+    const Style sample = theme_style (theme, &row->sample);
+
+    if (row->sample.lit == item->lit
+        && (item->lit == LIT_HOVER || item->shape != SHAPE_MARK
+            || sample.mark != MARK_NONE))
+      return TRUE;
+  }
+  return FALSE;
+}
+
+/* Outlines and circles of what is lit are nothing else. */
+static gboolean
+is_only_light (const SceneItem *item)
+{
+  return item->role == ROLE_LIT || item->role == ROLE_CIRCLE_SELECTED;
+}
+
+static void
+check_item (const Moment *moment, const Theme *theme, const SceneItem *item)
+{
+  if (item->fade >= 1 || item->role == ROLE_GROUND)
+    return;
+  if (!is_only_light (item) && is_seen (theme, item)
+      && !is_explained (moment, theme, item))
+    tell (moment, theme,
+          g_strdup_printf ("no row for %s", role_name (item->role)));
+  /* Names are not lit. */
+  if (item->lit != LIT_NONE && item->role < ROLE_POWER
+      && !is_light_explained (moment, theme, item))
+    tell (moment, theme,
+          g_strdup_printf ("no row for %s that is %s", role_name (item->role),
+                           item->lit == LIT_HOVER ? "pointed at" : "selected"));
+}
+
+/* Samples */
+
+/* A few pixels of quite another colour are another shape; an area of a colour
+ * that can just be told is another area. */
+#define CHANNEL_APART 40
+#define PIXELS_APART 14
+#define CHANNEL_TOLD 14
+#define PIXELS_TOLD 140
+
+static char *
+key_of (const Theme *theme, const SceneItem *sample)
+{
+  return g_strdup_printf ("%s %d %d %d %d %u", theme->name, (int)sample->role,
+                          (int)sample->shape, (int)sample->emphasis,
+                          (int)sample->lit, sample->hue);
+}
+
+static cairo_surface_t *
+paint_sample (const Theme *theme, const SceneItem *sample)
+{
+  cairo_surface_t *surface = cairo_image_surface_create (
+      CAIRO_FORMAT_RGB24, SWATCH_WIDTH, SWATCH_HEIGHT);
+  cairo_t *cr = cairo_create (surface);
+  const Colour ground = theme->background;
+
+  cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);
+  cairo_paint (cr);
+  painter_swatch (cr, sample, theme, SWATCH_WIDTH, SWATCH_HEIGHT);
+  cairo_destroy (cr);
+  cairo_surface_flush (surface);
+  return surface;
+}
+
+static cairo_surface_t *
+get_sample (const Theme *theme, const SceneItem *sample)
+{
+  static GHashTable *surfaces;
+  g_autofree char *key = key_of (theme, sample);
+  cairo_surface_t *surface;
+
+  if (surfaces == NULL)
+    surfaces = g_hash_table_new_full (g_str_hash, g_str_equal, g_free,
+                                      (GDestroyNotify)cairo_surface_destroy);
+  surface = g_hash_table_lookup (surfaces, key);
+  if (surface == NULL) {
+    surface = paint_sample (theme, sample);
+    g_hash_table_insert (surfaces, g_steal_pointer (&key), surface);
+  }
+  return surface;
+}
+
+/* Returns: how many pixels differ by more than @least. */
+static guint
+count_apart (cairo_surface_t *a, cairo_surface_t *b, int least)
+{
+  const int stride = cairo_image_surface_get_stride (a);
+  const guchar *p = cairo_image_surface_get_data (a);
+  const guchar *q = cairo_image_surface_get_data (b);
+  guint n = 0;
+
+  for (int y = 0; y < SWATCH_HEIGHT; y++)
+    for (int x = 0; x < SWATCH_WIDTH; x++) {
+      const guchar *at = p + y * stride + 4 * x, *to = q + y * stride + 4 * x;
+
+      n += ABS (at[0] - to[0]) > least || ABS (at[1] - to[1]) > least
+           || ABS (at[2] - to[2]) > least;
+    }
+  return n;
+}
+
+static void
+check_pair (const Moment *moment,
+            const Theme *theme,
+            const LegendRow *a,
+            const LegendRow *b)
+{
+  static GHashTable *known;
+  g_autofree char *one = key_of (theme, &a->sample);
+  g_autofree char *other = key_of (theme, &b->sample);
+  guint apart, told;
+
+  if (known == NULL)
+    known = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  if (strcmp (a->text, b->text) == 0)
+    tell (moment, theme, g_strdup_printf ("two rows “%s”", a->text));
+  if (!g_hash_table_add (known, g_strconcat (one, "|", other, NULL)))
+    return;
+  apart = count_apart (get_sample (theme, &a->sample),
+                       get_sample (theme, &b->sample), CHANNEL_APART);
+  told = count_apart (get_sample (theme, &a->sample),
+                      get_sample (theme, &b->sample), CHANNEL_TOLD);
+  if (apart < PIXELS_APART && told < PIXELS_TOLD)
+    tell (moment, theme,
+          g_strdup_printf ("“%s” and “%s” look alike in %s: %u, %u pixels",
+                           a->text, b->text, theme->name, apart, told));
+}
+
+static void
+check_rows (const Moment *moment, const Theme *theme)
+{
+  for (guint i = 0; i < moment->rows->len; i++)
+    is_met[((LegendRow *)g_ptr_array_index (moment->rows, i))->mark] = TRUE;
+  for (guint i = 0; i < moment->rows->len; i++)
+    for (guint k = i + 1; k < moment->rows->len; k++)
+      check_pair (moment, theme, g_ptr_array_index (moment->rows, i),
+                  g_ptr_array_index (moment->rows, k));
+}
+
+/* Moments */
+
+static void
+check_themes (Moment *moment, const Scene *scenes)
+{
+  for (int kind = 0; kind < N_THEMES; kind++) {
+    const Theme *theme = theme_get ((ThemeKind)kind);
+
+    moment->rows = legend_rows (moment->session, &moment->marks, theme);
+    for (guint pane = 0; pane < N_PANES; pane++)
+      for (guint i = 0; i < scenes[pane].n_items; i++)
+        check_item (moment, theme, &scenes[pane].items[i]);
+    check_rows (moment, theme);
+    g_ptr_array_unref (moment->rows);
+  }
+}
+
+void
+legend_judge (Session *session, const char *name, guint place)
+{
+  SceneLook look = *session_get_look (session);
+  Moment moment = { .session = session, .name = name, .place = place };
+  Scene scenes[N_PANES] = { { 0 }, { 0 } };
+
+  look.low = (Point3){ -1.4, -1.4, 0 };
+  look.high = (Point3){ 1.4, 1.4, 0 };
+  for (guint pane = 0; pane < N_PANES; pane++) {
+    if (session_get_pane (session, pane) == PANE_NONE)
+      continue;
+    session_fill_scene (session, pane, &scenes[pane], &look);
+    legend_marks_add_stock (&moment.marks, &scenes[pane]);
+    legend_marks_add_pointed (&moment.marks, &scenes[pane]);
+  }
+  check_themes (&moment, scenes);
+  for (guint pane = 0; pane < N_PANES; pane++)
+    scene_clear (&scenes[pane]);
+}
+
+void
+legend_judge_open (void)
+{
+  faults = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+}
+
+void
+legend_judge_close (void)
+{
+  const guint n = g_hash_table_size (faults);
+
+  g_clear_pointer (&faults, g_hash_table_unref);
+  if (n > 0)
+    g_test_fail ();
+}
+
+gboolean
+legend_judge_has_met (int mark)
+{
+  return is_met[mark];
+}
