@@ -1,5 +1,6 @@
 #include "lesson-panel.h"
 
+#include "freedom.h"
 #include "lesson-summary.h"
 #include "prose.h"
 #include "question-card.h"
@@ -47,31 +48,13 @@ show_stop (LessonPanel *panel, const Lesson *lesson, guint index)
   set_prose (panel->text, stop->prose);
 }
 
-static const char *
-freedom_text (LessonPanel *panel)
-{
-  if (panel->right_button_adds)
-    return _ ("**Right-click** in the plane to add a site. **Drag** a site to "
-              "move it: hull, triangles and cells follow.\n\nClick a site, a "
-              "triangle or a facet to see its counterparts in both pictures; "
-              "**Shift**+click selects several sites. **Delete** removes "
-              "them.\n\nThen step through QuickHull below, or open a lesson "
-              "at the top.");
-  return _ ("**Click** in the plane to add a site; inside a triangle, "
-            "**double-click**. **Drag** a site to move it: hull, triangles "
-            "and cells follow. **Right-click** for more, such as "
-            "coordinates.\n\nClick a site, a triangle or a facet to see "
-            "its counterparts in both pictures; **Shift**+click selects "
-            "several sites. **Delete** removes them.\n\nThen step through "
-            "QuickHull below, or open a lesson at the top.");
-}
-
 static void
 show_freedom (LessonPanel *panel)
 {
   set_prose (panel->intro, "");
-  gtk_label_set_text (panel->title, _ ("Your own sites"));
-  set_prose (panel->text, freedom_text (panel));
+  gtk_label_set_text (panel->title, freedom_title (panel->session));
+  set_prose (panel->text,
+             freedom_text (panel->session, panel->right_button_adds));
 }
 
 /* Where the person was another time is offered, not gone to. */
@@ -138,9 +121,11 @@ lesson_panel_set_faults (LessonPanel *panel, const LessonFaults *faults)
 static void
 on_changed (Session *session, guint changes, LessonPanel *panel)
 {
-  (void)session;
   if (changes & CHANGED_LESSON)
     update (panel);
+  else if (session_get_lesson (session) == NULL
+           && changes & (CHANGED_EXHIBIT | CHANGED_STAGING | CHANGED_QUESTION))
+    show_freedom (panel);
 }
 
 void

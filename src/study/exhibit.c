@@ -258,6 +258,13 @@ exhibit_lines (const Exhibit *exhibit, guint *n_lines)
                                          : rounded_pseudocode_lines (n_lines);
 }
 
+const char *
+exhibit_listing_title (const Exhibit *exhibit)
+{
+  return exhibit->kind == EXHIBIT_PLANAR ? N_ ("QuickHull in the plane")
+                                         : N_ ("Hull, site by site");
+}
+
 guint
 exhibit_line (Exhibit *exhibit, guint step)
 {

@@ -58,7 +58,8 @@ void exhibit_narrate (Exhibit *exhibit,
                       NarrationTranslate translate,
                       char text[NARRATION_ROOM]);
 
-/* The listing, and its current line. */
+/* The listing, its title, and its current line. */
+const char *exhibit_listing_title (const Exhibit *exhibit); /* to translate */
 const PseudocodeLine *exhibit_lines (const Exhibit *exhibit, guint *n_lines);
 guint exhibit_line (Exhibit *exhibit, guint step);
 

@@ -399,8 +399,9 @@ session_get_lines (Session *session, guint *n_lines)
 const char *
 session_get_listing_title (Session *session)
 {
-  return listing_title (shows_lifts (session) ? session->listing
-                                              : LISTING_QUICKHULL);
+  return shows_lifts (session)
+             ? listing_title (session->listing)
+             : exhibit_listing_title (session_get_exhibit (session));
 }
 
 guint
