@@ -4,6 +4,7 @@
 #include "focus-order.h"
 #include "pseudocode.h"
 #include "scroll-to.h"
+#include "whole-rows.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -184,4 +185,5 @@ code_panel_init (CodePanel *panel)
   panel->current = INDEX_NONE;
   gtk_widget_init_template (GTK_WIDGET (panel));
   focus_order_pass_over (panel->lines);
+  whole_rows_keep (GTK_CONTAINER (panel->lines));
 }
