@@ -249,6 +249,14 @@ show_question (QuestionCard *card)
   set_text (card->instruction, instruction);
 }
 
+/* What answers it, below all that there is to read. */
+static void
+scroll_to_buttons (QuestionCard *card)
+{
+  scroll_to (gtk_widget_get_visible (card->grade) ? card->grade : card->buttons,
+             BUTTONS_MARGIN);
+}
+
 static void
 update (QuestionCard *card)
 {
@@ -270,9 +278,7 @@ update (QuestionCard *card)
    * other. */
   if (card->exercise == shown
       || session_get_performance (card->session) != NULL)
-    scroll_to (gtk_widget_get_visible (card->grade) ? card->grade
-                                                    : card->buttons,
-               BUTTONS_MARGIN);
+    scroll_to_buttons (card);
 }
 
 static void
@@ -281,6 +287,9 @@ on_changed (Session *session, guint changes, QuestionCard *card)
   (void)session;
   if (changes & (CHANGED_QUESTION | CHANGED_LESSON))
     update (card);
+  /* Letters of another size push them out of sight. */
+  else if (changes & CHANGED_APPEARANCE && card->exercise != NULL)
+    scroll_to_buttons (card);
 }
 
 void
