@@ -368,13 +368,13 @@ canvas_set_session (Canvas *canvas, Session *session)
 void
 canvas_fail (Canvas *canvas, const GError *error)
 {
-  canvas_fail_with (canvas, error->message);
+  g_signal_emit (canvas, signals[SIGNAL_FAILED], 0, error->message, TRUE);
 }
 
 void
 canvas_fail_with (Canvas *canvas, const char *sentence)
 {
-  g_signal_emit (canvas, signals[SIGNAL_FAILED], 0, sentence);
+  g_signal_emit (canvas, signals[SIGNAL_FAILED], 0, sentence, FALSE);
 }
 
 void
@@ -413,7 +413,7 @@ canvas_class_init (CanvasClass *class)
   gtk_widget_class_set_accessible_type (widget_class, CANVAS_ACCESSIBLE_TYPE);
   signals[SIGNAL_FAILED]
       = g_signal_new ("failed", CANVAS_TYPE, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
-                      NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
+                      NULL, G_TYPE_NONE, 2, G_TYPE_STRING, G_TYPE_BOOLEAN);
   signals[SIGNAL_RENEWED]
       = g_signal_new ("renewed", CANVAS_TYPE, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
                       NULL, G_TYPE_NONE, 0);

@@ -107,7 +107,8 @@ guint canvas_outline (Canvas *canvas, Object object, Point3 points[3]);
 Object canvas_pick (Canvas *canvas, const double at_px[2]);
 Projection canvas_get_projection (Canvas *canvas);
 
-/* Says in the window what could not be done. */
+/* Says in the window why sites cannot be changed, and what else is wrong:
+ * signal "failed", with the sentence and whether it is the former. */
 void canvas_fail (Canvas *canvas, const GError *error);
 void canvas_fail_with (Canvas *canvas, const char *sentence);
 

@@ -18,13 +18,6 @@ hull2vd_window_get_session (Hull2vdWindow *window)
   return window->session;
 }
 
-void
-hull2vd_window_say (Hull2vdWindow *window, const char *message)
-{
-  gtk_label_set_text (window->info_label, message);
-  gtk_info_bar_set_revealed (window->info_bar, TRUE);
-}
-
 /* Title */
 
 static char *
@@ -166,21 +159,6 @@ on_changed (Session *session, guint changes, Hull2vdWindow *window)
     update_history (window);
 }
 
-static void
-on_failed (Canvas *canvas, const char *message, Hull2vdWindow *window)
-{
-  (void)canvas;
-  hull2vd_window_say (window, message);
-}
-
-static void
-on_info_response (GtkInfoBar *bar, int response, gpointer user)
-{
-  (void)response;
-  (void)user;
-  gtk_info_bar_set_revealed (bar, FALSE);
-}
-
 /* Keys */
 
 static gboolean
@@ -273,10 +251,6 @@ connect_session (Hull2vdWindow *window)
   work_bar_set_session (window->work_bar, session);
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), window,
                            0);
-  g_signal_connect (window->plane_view, "failed", G_CALLBACK (on_failed),
-                    window);
-  g_signal_connect (window->space_view, "failed", G_CALLBACK (on_failed),
-                    window);
 }
 
 static void
@@ -287,6 +261,7 @@ hull2vd_window_dispose (GObject *object)
   window_record_end (window);
   window_recovery_end (window);
   window_lecturer_end (window);
+  window_message_end (window);
   if (window->session != NULL)
     session_give_up (window->session);
   g_clear_pointer (&window->watch, lesson_watch_free);
@@ -379,6 +354,7 @@ hull2vd_window_init (Hull2vdWindow *window)
   window->settings = settings_new ();
   window_progress_init (window);
   connect_session (window);
+  window_message_init (window);
   window_panes_init (window);
   window_layout_init (window);
   window_theme_init (window);
@@ -394,8 +370,6 @@ hull2vd_window_init (Hull2vdWindow *window)
   hull2vd_window_update_title (window);
   update_hints (window);
   update_history (window);
-  g_signal_connect (window->info_bar, "response", G_CALLBACK (on_info_response),
-                    NULL);
   gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
 }
 

@@ -3,6 +3,7 @@
 #include "document.h"
 #include "file-dialogs.h"
 #include "results.h"
+#include "window-message.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -39,7 +40,9 @@ on_chosen (const char *path, gpointer user)
   g_autoptr (GError) error = NULL;
 
   if (!document_write (path, waiting->text, strlen (waiting->text), &error))
-    hull2vd_window_say (waiting->window, error->message);
+    window_message_say (waiting->window, "export-results", error->message);
+  else
+    window_message_settle (waiting->window, "export-results");
 }
 
 static void

@@ -17,11 +17,18 @@ get_state (Hull2vdWindow *window, const Action *action)
 static void
 run (Hull2vdWindow *window, const char *name, GVariant *parameter)
 {
+  const char *before = window->command;
   g_autoptr (GError) error = NULL;
 
-  if (!window_command_run (window, name, parameter)
-      && !action_run (window->session, name, parameter, &error))
-    hull2vd_window_say (window, error->message);
+  window->command = action_find (name)->name;
+  /* What the window does itself may take its time, and says when it is done. */
+  if (!window_command_run (window, name, parameter)) {
+    if (action_run (window->session, name, parameter, &error))
+      window_message_settle (window, name);
+    else
+      hull2vd_window_say (window, error->message);
+  }
+  window->command = before;
 }
 
 /* States that the window keeps change by what it does, not by the session. */

@@ -107,12 +107,12 @@ on_clipboard_text (GtkClipboard *clipboard, const char *text, gpointer user)
   if (window->session == NULL)
     return;
   if (text == NULL)
-    hull2vd_window_say (window, _ ("The clipboard holds no text"));
+    window_message_say (window, "paste", _ ("The clipboard holds no text"));
   else if (!point_import_text (window->session, text, _ ("clipboard"),
                                _ ("paste"), &error))
-    hull2vd_window_say (window, error->message);
+    window_message_say (window, "paste", error->message);
   else
-    gtk_info_bar_set_revealed (window->info_bar, FALSE);
+    window_message_settle (window, "paste");
 }
 
 static void

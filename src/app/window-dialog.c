@@ -41,6 +41,6 @@ window_dialog_refuse (Hull2vdWindow *window, const char *path)
                 ? g_strdup (_ ("Another dialog is open. Close it first."))
                 : g_strdup_printf (
                     _ ("%s was not opened: another dialog is open."), path);
-  hull2vd_window_say (window, message);
+  window_message_say (window, path == NULL ? window->command : "open", message);
   return TRUE;
 }

@@ -117,8 +117,13 @@ export_pages (ChoreTask *task, gpointer data, GError **error)
 static void
 on_exported (gpointer data, const GError *error)
 {
+  const Export *export = data;
+  const char *command = export->is_handout ? "handout" : "storyboard";
+
   if (error != NULL)
-    hull2vd_window_say (((Export *)data)->window, error->message);
+    window_message_say (export->window, command, error->message);
+  else
+    window_message_settle (export->window, command);
 }
 
 static void

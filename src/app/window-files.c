@@ -55,6 +55,7 @@ show_loaded (Hull2vdWindow *window, const char *path, gboolean is_foreign)
     window_recent_add (path);
   }
   watch_lesson (window);
+  window_message_settle (window, "open");
   gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
 }
 
@@ -71,7 +72,6 @@ load_now (Hull2vdWindow *window,
   char *before = g_steal_pointer (&window->path);
   gboolean is_open;
 
-  gtk_info_bar_set_revealed (window->info_bar, FALSE);
   g_clear_pointer (&window->awaited, g_free);
   /* The title is made while the session tells of its change. */
   window->path = g_strdup (path);
@@ -80,7 +80,7 @@ load_now (Hull2vdWindow *window,
                                              &error);
   if (!is_open) {
     set_path (window, before);
-    hull2vd_window_say (window, error->message);
+    window_message_say (window, "open", error->message);
     return FALSE;
   }
   window->awaited_work = session_get_work (window->session);
@@ -135,7 +135,7 @@ on_read (gpointer data, const GError *error)
 
   window->reading = NULL;
   if (error != NULL)
-    hull2vd_window_say (window, error->message);
+    window_message_say (window, "open", error->message);
   else
     load_now (window, reading->path, g_steal_pointer (&reading->set),
               reading->is_foreign);
@@ -203,7 +203,7 @@ begin_anew (Hull2vdWindow *window, const char *path)
   action_run (window->session, "new", NULL, NULL);
   watch_lesson (window);
   window_files_remember_saved (window);
-  gtk_info_bar_set_revealed (window->info_bar, FALSE);
+  window_message_settle (window, "new");
 }
 
 void
@@ -275,9 +275,9 @@ drop_text (Hull2vdWindow *window, const char *text)
 
   if (!point_import_text (window->session, text, _ ("dropped text"), _ ("drop"),
                           &error))
-    hull2vd_window_say (window, error->message);
+    window_message_say (window, "paste", error->message);
   else
-    gtk_info_bar_set_revealed (window->info_bar, FALSE);
+    window_message_settle (window, "paste");
 }
 
 /* In a window of its own. */
@@ -298,7 +298,7 @@ drop_uris (Hull2vdWindow *window, char **uris)
     g_autofree char *path = g_filename_from_uri (uris[i], NULL, NULL);
 
     if (path == NULL)
-      hull2vd_window_say (window,
+      window_message_say (window, "open",
                           _ ("Only files on this computer can be opened"));
     else if (i == 0)
       window_files_open_path (window, path);

@@ -92,6 +92,7 @@ open_lecturer (Hull2vdWindow *window)
   place (window);
   window_lecturer_follow_cover (window);
   gtk_window_present (GTK_WINDOW (window->lecturer));
+  window_message_settle (window, "lecturer");
 }
 
 static void

@@ -110,10 +110,13 @@ on_changed (Session *session, guint changes, Hull2vdWindow *window)
 }
 
 static void
-on_failed (Canvas *canvas, const char *message, Hull2vdWindow *window)
+on_failed (Canvas *canvas,
+           const char *message,
+           gboolean is_refusal,
+           Hull2vdWindow *window)
 {
   (void)canvas;
-  hull2vd_window_say (window, message);
+  window_message_say (window, is_refusal ? "edit" : NULL, message);
 }
 
 /* A view of the other kind, in the place of @view. */
@@ -126,7 +129,6 @@ make_other (Hull2vdWindow *window, Canvas *view, GType type)
   canvas_set_pane (other, canvas_get_pane (view));
   canvas_set_session (other, window->session);
   gtk_overlay_add_overlay (GTK_OVERLAY (overlay), GTK_WIDGET (other));
-  g_signal_connect (other, "failed", G_CALLBACK (on_failed), window);
   return other;
 }
 
@@ -143,13 +145,20 @@ make_pane (Hull2vdWindow *window, guint pane, Canvas *view, GType other)
                      GTK_WIDGET (window->reports[pane]));
 }
 
+static void
+add_view (Hull2vdWindow *window, Canvas *view)
+{
+  legend_panel_add_view (window->legend_panel, view);
+  g_signal_connect (view, "failed", G_CALLBACK (on_failed), window);
+}
+
 void
 window_panes_init (Hull2vdWindow *window)
 {
   make_pane (window, 0, HULL2VD_CANVAS (window->plane_view), SPACE_VIEW_TYPE);
   make_pane (window, 1, HULL2VD_CANVAS (window->space_view), PLANE_VIEW_TYPE);
   for (guint i = 0; i < G_N_ELEMENTS (window->views); i++)
-    legend_panel_add_view (window->legend_panel, window->views[i]);
+    add_view (window, window->views[i]);
   g_signal_connect_object (window->session, "changed", G_CALLBACK (on_changed),
                            window, 0);
   update (window);

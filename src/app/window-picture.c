@@ -35,7 +35,9 @@ on_exported (PictureFile files[N_PICTURE_FILES],
 {
   (void)files;
   if (error != NULL)
-    hull2vd_window_say (user, error->message);
+    window_message_say (user, "export-picture", error->message);
+  else
+    window_message_settle (user, "export-picture");
 }
 
 static void
@@ -49,7 +51,7 @@ on_file_chosen (const char *path, gpointer user)
     g_autofree char *message = g_strdup_printf (
         _ ("%s: the name of a picture must end in .svg, .pdf or .png"), path);
 
-    hull2vd_window_say (export->window, message);
+    window_message_say (export->window, "export-picture", message);
     return;
   }
   picture_task_begin (export->window->session, &export->picture, &file, 1,
@@ -134,9 +136,10 @@ on_copied (PictureFile files[N_PICTURE_FILES],
   Copy *copy;
 
   if (error != NULL) {
-    hull2vd_window_say (user, error->message);
+    window_message_say (user, "copy-picture", error->message);
     return;
   }
+  window_message_settle (user, "copy-picture");
   copy = g_new0 (Copy, 1);
   copy->svg = g_steal_pointer (&files[0].bytes);
   copy->png = g_steal_pointer (&files[1].bytes);

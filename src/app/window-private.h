@@ -19,6 +19,7 @@
 #include "side-column.h"
 #include "space-view.h"
 #include "transport.h"
+#include "window-message.h"
 #include "window-recovery.h"
 #include "work-bar.h"
 
@@ -54,6 +55,10 @@ struct _Hull2vdWindow {
   GtkWidget *undo_button, *redo_button;
   GtkInfoBar *info_bar;
   GtkLabel *info_label;
+  char *message_kind; /* what it is about; NULL: no command, or no message */
+  gint64 message_read_at; /* until then it may not have been read */
+  guint message_source;   /* that takes it away */
+  const char *command;    /* that is being carried out, or NULL */
   GtkInfoBar *recovery_bar;
   GtkLabel *recovery_label;
   WorkBar *work_bar;

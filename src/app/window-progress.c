@@ -14,7 +14,7 @@ say_message (gpointer user)
   g_autofree char *message = progress_keeper_take_message ();
 
   if (message != NULL && window->session != NULL)
-    hull2vd_window_say (window, message);
+    window_message_say (window, NULL, message);
   return G_SOURCE_REMOVE;
 }
 

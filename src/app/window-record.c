@@ -38,6 +38,7 @@ begin (Hull2vdWindow *window)
   window->record = session_record_new (window->session);
   record_window_set_record (window->record_window, window->record);
   gtk_window_present (GTK_WINDOW (window->record_window));
+  window_message_settle (window, "record");
 }
 
 void

@@ -88,7 +88,7 @@ finish (Hull2vdWindow *window)
   g_thread_join (g_steal_pointer (&recovery->thread));
   if (recovery->job->error != NULL && !recovery->has_failed) {
     recovery->has_failed = TRUE;
-    hull2vd_window_say (window, recovery->job->error->message);
+    window_message_say (window, NULL, recovery->job->error->message);
   }
   g_clear_pointer (&recovery->job, job_free);
 }

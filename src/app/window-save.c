@@ -79,13 +79,13 @@ on_saved (gpointer data, const GError *error)
   const gboolean is_current = save->task == window->saving;
 
   if (error != NULL) {
-    hull2vd_window_say (window, error->message);
+    window_message_say (window, "save", error->message);
     return;
   }
   if (!save->is_of_lesson && is_current)
     adopt (save);
   window_recent_add (save->path);
-  gtk_info_bar_set_revealed (window->info_bar, FALSE);
+  window_message_settle (window, "save");
   if (is_current && !window_files_is_modified (window))
     window_ask_saved (window);
   else if (is_current)
