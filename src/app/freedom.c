@@ -84,8 +84,8 @@ rounded_text (void)
   return _ ("On the left a hull is built by signs in **plain doubles**, which "
             "can be wrong; on the right is the true one.\n\nStep below, site "
             "by site. Where a sign is wrong, the sentence says so.\n\n**Drag** "
-            "a site, or load sites that lie almost on one line: few others go "
-            "wrong.");
+            "a site, or open sites that lie almost on one line: with others "
+            "signs are rarely wrong.");
 }
 
 const char *

@@ -203,12 +203,26 @@ share_column (Hull2vdWindow *window)
                                                              : TABS_SHARE);
 }
 
+/* What a lesson asks to be read is not behind another tab. */
+static void
+show_listing (Hull2vdWindow *window, Listing listing)
+{
+  GtkWidget *code = GTK_WIDGET (window->code_panel);
+
+  if (listing == window->listing)
+    return;
+  window->listing = listing;
+  if (columns_is_folded (window->columns) && gtk_widget_get_visible (code))
+    gtk_stack_set_visible_child (window->stack, code);
+}
+
 static void
 on_changed (Session *session, guint changes, Hull2vdWindow *window)
 {
-  (void)session;
   if (changes & (CHANGED_QUESTION | CHANGED_LESSON | CHANGED_SITES))
     share_column (window);
+  if (changes & (CHANGED_STAGING | CHANGED_LESSON))
+    show_listing (window, session_get_listing (session));
 }
 
 static void

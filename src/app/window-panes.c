@@ -26,6 +26,12 @@ show_panes (Hull2vdWindow *window)
                           !has_second || views != VIEWS_SPACE);
   gtk_widget_set_visible (window->space_buttons,
                           session_get_pane (window->session, 1) == PANE_SPACE);
+  /* Sentences call the two of an exhibit left and right in every language. */
+  gtk_widget_set_direction (GTK_WIDGET (window->view_paned),
+                            session_get_exhibit_kind (window->session)
+                                    == EXHIBIT_LIFTS
+                                ? GTK_TEXT_DIR_NONE
+                                : GTK_TEXT_DIR_LTR);
 }
 
 /* Reports of runs */

@@ -93,6 +93,7 @@ struct _Hull2vdWindow {
   gboolean is_frozen;       /* the screen stands still */
   char *frozen_place;       /* where the session was then, in words */
   gboolean is_placed;       /* the divider stands where it was left */
+  Listing listing;          /* that is shown */
 };
 
 /* window-layout.c: columns, panels, and what is remembered of them. */
