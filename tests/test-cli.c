@@ -69,7 +69,10 @@ static const Row refusals[] = {
     "hull2vd-cli: there is no camera “up”" },
   { "export -o a.svg --camera 10,91 five.txt", 64, "hull2vd-cli: --camera: " },
   { "export -o a.svg --line-scale 4 five.txt", 64,
-    "hull2vd-cli: --line-scale: “4” is not a number from 0.5 to 3" },
+    "hull2vd-cli: --line-scale: “4” is not a number from 0.5 to 3\n" },
+  { "export -o a.svg --line-scale 1,5 five.txt", 64,
+    "hull2vd-cli: --line-scale: “1,5” is not a number from 0.5 to 3; write "
+    "decimals with a point" },
   { "export -o a.svg --size -5x5 five.txt", 64, "hull2vd-cli: --size WxH" },
   { "export -o a.svg --size 5 five.txt", 64, "hull2vd-cli: write the size" },
   { "export -o a.svg --event 1 --round 1 five.txt", 64,

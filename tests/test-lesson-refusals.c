@@ -168,6 +168,12 @@ static const Row commands[] = {
   { STEPS ("select s5"), "l.md:11:1: cannot select “s5”: there is no such" },
   { STEPS ("select f0"), "l.md:11:1: cannot select “f0”: this facet is not" },
   { STEPS ("add site 1"), "l.md:11:1: “add-site” takes two numbers" },
+  { STEPS ("add site 0,5 1"), "l.md:11:1: “add-site” takes two numbers: X Y; "
+                              "write decimals with a point" },
+  { STEPS ("sites 0,5 1,5; 1 1"),
+    "l.md:11:1: a comma stands between numbers: write decimals with a point" },
+  { STEPS ("camera 12,5 30"),
+    "l.md:11:1: there is no camera “12,5 30”; write decimals with a point" },
   { STEPS ("add site 1 nan"), "l.md:11:1: “add-site” takes two numbers" },
   { STEPS ("add site 1e400 0"), "l.md:11:1: “add-site” takes two numbers" },
   { STEPS ("add site 1 0x2"), "l.md:11:1: “add-site” takes two numbers" },

@@ -46,6 +46,8 @@ test_tables_and_rbox_text_are_read (void)
   }
 }
 
+#define DECIMALS "a comma stands between numbers: write decimals with a point"
+
 /* All else is refused as in point files, by its line in the whole text. */
 static void
 test_all_else_is_refused_by_its_line (void)
@@ -57,10 +59,11 @@ test_all_else_is_refused_by_its_line (void)
     { "x,y,z\n1,2,3\n", "p:1: " },
     { "x\n1 2\n", "p:1: " },
     { "nan,inf\n1,2\n", "p:1: " },
-    { "x;y\n1,500;2\n12,250;-3,125\n",
-      "p:2: the commas may be of decimals or of thousands" },
-    { "1,5;2,5\n1.5;2\n", "p:1: " },
-    { "1,5,2,5\n", "p:1: " },
+    { "x;y\n1,500;2\n12,250;-3,125\n", "p:2: " DECIMALS },
+    { "1,5;2,5\n1.5;2\n", "p:1: " DECIMALS },
+    { "1 1\n-1,5\t2\n", "p:2: " DECIMALS },
+    { "1,5,2,5\n", "p:1: expected exactly two numbers, found more" },
+    { "1, 2, 3\n", "p:1: expected exactly two numbers, found more" },
     { "1.234,5;2,5\n", "p:1: " },
     { "x,1\n1,2\n", "p:1: " },
     { "0x1,y\n1,2\n", "p:1: " },
@@ -97,9 +100,14 @@ static void
 test_point_files_stay_strict (void)
 {
   static const char table[] = "x,y\n1,2\n", rbox[] = "2\n1\n1 2\n";
+  static const char decimals[] = "0 0\n1,5;2,5\n";
+  g_autoptr (GError) error = NULL;
 
   g_assert_null (document_parse_points (table, strlen (table), "p", NULL));
   g_assert_null (document_parse_points (rbox, strlen (rbox), "p", NULL));
+  g_assert_null (
+      document_parse_points (decimals, strlen (decimals), "p", &error));
+  g_assert_true (g_str_has_prefix (error->message, "p:2: " DECIMALS));
 }
 
 static void

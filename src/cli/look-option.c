@@ -34,8 +34,8 @@ cli_decimal (const CliCommand *command,
     *number = read;
     return TRUE;
   }
-  cli_usage (command, _ ("%s: “%s” is not a number from %g to %g"), option,
-             value, least, most);
+  cli_usage (command, _ ("%s: “%s” is not a number from %g to %g%s"), option,
+             value, least, most, words_comma_hint (value));
   return FALSE;
 }
 

@@ -115,9 +115,26 @@ skip_separator (const char *text, const char *end)
   return next > text ? next : NULL;
 }
 
+/* Whether commas within numbers, and blanks or semicolons between them, tell
+ * that the former are of decimals: 1,5 2,5. */
+static bool
+has_decimal_commas (const char *line)
+{
+  const char *comma = line;
+
+  line += strspn (line, " \t");
+  if (line[strcspn (line, " \t;")] == '\0')
+    return false;
+  while ((comma = strchr (comma + 1, ',')) != NULL)
+    if (strchr ("0123456789", comma[-1]) != NULL && comma[1] != '\0'
+        && strchr ("0123456789", comma[1]) != NULL)
+      return true;
+  return false;
+}
+
 /* Returns: NULL, or why what follows the second number is wrong. */
 static const char *
-rest_fault (const char *rest, const char *end)
+rest_fault (const char *line, const char *rest, const char *end)
 {
   const char *next = skip_separator (rest, end);
   double number;
@@ -125,7 +142,10 @@ rest_fault (const char *rest, const char *end)
   if (skip_blanks (rest, end) == end)
     return NULL;
   if (next != NULL && number_parse (next, &number) != NULL)
-    return N_ ("expected exactly two numbers, found more");
+    return has_decimal_commas (line)
+               ? N_ ("a comma stands between numbers: write decimals with a "
+                     "point, as in 1.5 2.5")
+               : N_ ("expected exactly two numbers, found more");
   return N_ ("expected nothing after the second number");
 }
 
@@ -150,7 +170,7 @@ parse_pair (const char *line, const char *end, Site *site)
   next = number_parse (next, &site->y);
   if (next == NULL)
     return number_fault (site->y);
-  return rest_fault (next, end);
+  return rest_fault (line, next, end);
 }
 
 static const char *

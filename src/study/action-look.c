@@ -17,8 +17,8 @@ refuse (const char *rule,
   g_autofree char *hint = words_hint (word, names);
   g_autofree char *list = g_strjoinv (", ", (char **)names);
 
-  g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER, rule, word, hint,
-               list);
+  g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER, rule, word,
+               *hint != '\0' ? hint : words_comma_hint (word), list);
   return FALSE;
 }
 

@@ -170,8 +170,12 @@ parse_parameter (const Action *action,
     *parameter = g_variant_ref_sink (value);
     return TRUE;
   }
-  g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER, _ ("“%s” takes %s"),
-               action->name, parameter_rule (action->parameter));
+  g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
+               _ ("“%s” takes %s%s"), action->name,
+               parameter_rule (action->parameter),
+               action->parameter != NULL && strchr (action->parameter, 'd')
+                   ? words_comma_hint (rest)
+                   : "");
   return FALSE;
 }
 

@@ -27,7 +27,7 @@ are_rows (char **lines)
 }
 
 static gboolean
-is_sure (char **lines)
+has_sure_comma (char **lines)
 {
   g_autoptr (GRegex) sure = g_regex_new (SURE, G_REGEX_OPTIMIZE, 0, NULL);
 
@@ -37,21 +37,19 @@ is_sure (char **lines)
   return FALSE;
 }
 
-DecimalComma
-decimal_comma_find (const char *rows, gsize length)
+gboolean
+decimal_comma_is_sure (const char *rows, gsize length)
 {
   g_autofree char *text = NULL;
   g_auto (GStrv) lines = NULL;
 
   if (memchr (rows, ',', length) == NULL || memchr (rows, ';', length) == NULL
       || !g_utf8_validate (rows, (gssize)length, NULL))
-    return DECIMAL_COMMA_NONE;
+    return FALSE;
   text = g_strndup (rows, length);
   g_strdelimit (text, "\r", ' ');
   lines = g_strsplit (text, "\n", -1);
-  if (!are_rows (lines))
-    return DECIMAL_COMMA_NONE;
-  return is_sure (lines) ? DECIMAL_COMMA_SURE : DECIMAL_COMMA_DOUBTFUL;
+  return are_rows (lines) && has_sure_comma (lines);
 }
 
 char *

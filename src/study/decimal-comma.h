@@ -7,15 +7,10 @@
 
 G_BEGIN_DECLS
 
-typedef enum DecimalComma {
-  DECIMAL_COMMA_NONE, /* it is no such table */
-  DECIMAL_COMMA_SURE,
-  DECIMAL_COMMA_DOUBTFUL, /* every comma may be one of thousands: 1,500 */
-} DecimalComma;
-
-/* What the commas of @rows mean: all rows are two numbers with a semicolon
- * between them, and no number has a point. */
-DecimalComma decimal_comma_find (const char *rows, gsize length);
+/* Whether all commas of @rows are of decimals for sure: all rows are two
+ * numbers with a semicolon between them, no number has a point, and not every
+ * comma may be one of thousands, as that of 1,500. */
+gboolean decimal_comma_is_sure (const char *rows, gsize length);
 
 /* Returns: (transfer full): the rows with points for commas, of the same
  *          length. */

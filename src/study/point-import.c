@@ -208,17 +208,8 @@ parse_table (const char *text,
   Head rest = *head;
   g_autofree char *rows = NULL;
 
-  switch (decimal_comma_find (text + head->length, n_bytes)) {
-  case DECIMAL_COMMA_NONE:
+  if (!decimal_comma_is_sure (text + head->length, n_bytes))
     return parse_rows (text, length, head, name, error);
-  case DECIMAL_COMMA_DOUBTFUL:
-    return refuse (name, head->n_lines + 1,
-                   _ ("the commas may be of decimals or of thousands; write "
-                      "decimals with a point, as in 1.5;2.5"),
-                   error);
-  case DECIMAL_COMMA_SURE:
-    break;
-  }
   if (is_foreign != NULL)
     *is_foreign = TRUE;
   rows = decimal_comma_replace (text + head->length, n_bytes);

@@ -45,6 +45,17 @@ words_parse_double (const char *word, double *number)
   return end != NULL && *end == '\0';
 }
 
+const char *
+words_comma_hint (const char *text)
+{
+  for (const char *comma = strchr (text, ','); comma != NULL;
+       comma = strchr (comma + 1, ','))
+    if (comma > text && g_ascii_isdigit (comma[-1])
+        && g_ascii_isdigit (comma[1]))
+      return _ ("; write decimals with a point, as in 1.5");
+  return "";
+}
+
 /* Least number of letters put in, left out, changed or swapped with their
  * neighbour to make @b of @a.
  *

@@ -16,6 +16,10 @@ gboolean words_parse_number (const char *word, guint64 most, guint64 *number);
 /* Reads a decimal number, the same in every locale: all of @word, finite. */
 gboolean words_parse_double (const char *word, double *number);
 
+/* Returns: "; write decimals with a point, as in 1.5" when a number in @text
+ * has a comma instead, or "". */
+const char *words_comma_hint (const char *text);
+
 /* Returns: (transfer full): " (did you mean “NAME”?)" for the name nearest to
  *          @word by few typing errors, or "". @names ends with NULL. */
 char *words_hint (const char *word, const char *const *names);
