@@ -1,6 +1,7 @@
 #include "document.h"
 #include "point-import.h"
 
+#include <fcntl.h>
 #include <glib/gstdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -192,6 +193,63 @@ test_what_cannot_be_written_is_said (void)
   spot_clear (&spot);
 }
 
+static gpointer
+cancel_soon (gpointer user)
+{
+  g_usleep (50000);
+  g_cancellable_cancel (user);
+  return NULL;
+}
+
+/* Somebody holds the pipe open, and falls silent. */
+static void
+test_a_silent_writer_is_given_up (void)
+{
+  g_autoptr (GCancellable) wanted = g_cancellable_new ();
+  g_autoptr (GError) error = NULL;
+  gboolean is_foreign;
+  GThread *thread;
+  Spot spot;
+  int writer;
+
+  spot_init (&spot);
+  g_assert_cmpint (mkfifo (spot.path, 0600), ==, 0);
+  writer = g_open (spot.path, O_RDWR | O_CLOEXEC, 0);
+  g_assert_cmpint (write (writer, "0 0\n", 4), ==, 4);
+  thread = g_thread_new ("person", cancel_soon, wanted);
+  g_assert_null (point_import_read (spot.path, &is_foreign, wanted, &error));
+  g_assert_error (error, DOCUMENT_ERROR, DOCUMENT_ERROR_CANNOT_OPEN);
+  g_thread_join (thread);
+  close (writer);
+  spot_clear (&spot);
+}
+
+static void
+test_what_is_no_file_is_refused_at_once (void)
+{
+  g_autoptr (Session) session = session_new ();
+  g_autoptr (GError) error = NULL;
+  gboolean is_foreign;
+  Spot spot;
+
+  spot_init (&spot);
+  g_assert_false (
+      point_import_open (session, spot.folder, &is_foreign, &error));
+  g_assert_true (g_str_has_suffix (error->message, ": Is a directory"));
+  g_clear_error (&error);
+  g_assert_false (
+      point_import_open (session, "/dev/zero", &is_foreign, &error));
+  g_assert_cmpstr (error->message, ==, "/dev/zero:1: a NUL byte");
+  g_clear_error (&error);
+  g_free (spot.path);
+  spot.path = g_build_filename (spot.folder, "lesson.md", NULL);
+  g_assert_cmpint (mkfifo (spot.path, 0600), ==, 0);
+  g_assert_false (point_import_open (session, spot.path, &is_foreign, &error));
+  g_assert_true (
+      g_str_has_suffix (error->message, ": this is not a regular file"));
+  spot_clear (&spot);
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -209,6 +267,9 @@ static const struct {
     test_saving_keeps_links_and_modes },
   { "/document/what-cannot-be-written-is-said",
     test_what_cannot_be_written_is_said },
+  { "/document/a-silent-writer-is-given-up", test_a_silent_writer_is_given_up },
+  { "/document/what-is-no-file-is-refused-at-once",
+    test_what_is_no_file_is_refused_at_once },
 };
 
 int

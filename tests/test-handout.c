@@ -49,7 +49,7 @@ write_handout (const HandoutOptions *options)
   guint8 buffer[4096];
   gsize n;
 
-  g_assert_true (handout_write (handout, file, &error));
+  g_assert_true (handout_write (handout, file, NULL, &error));
   g_assert_no_error (error);
   rewind (file);
   while ((n = fread (buffer, 1, sizeof buffer, file)) > 0)
@@ -180,8 +180,44 @@ test_full_disk (void)
   g_assert_nonnull (file);
   handout_options_init (&options);
   handout = handout_new (session, &options);
-  g_assert_false (handout_write (handout, file, &error));
+  g_assert_false (handout_write (handout, file, NULL, &error));
   g_assert_error (error, G_IO_ERROR, G_IO_ERROR_NO_SPACE);
+  fclose (file);
+}
+
+static void
+count_changes (Session *session, guint changes, gpointer user)
+{
+  (void)session;
+  (void)changes;
+  *(guint *)user += 1;
+}
+
+/* Its pages are played while they are painted. */
+static void
+test_given_up (void)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (GCancellable) wanted = g_cancellable_new ();
+  g_autoptr (GError) error = NULL;
+  g_autoptr (Handout) handout = NULL;
+  FILE *file = tmpfile ();
+  HandoutOptions options;
+  guint n_changes = 0;
+
+  handout_options_init (&options);
+  options.has_stops = TRUE;
+  handout = handout_new (session, &options);
+  g_signal_connect (session, "changed", G_CALLBACK (count_changes), &n_changes);
+  g_assert_true (handout_write (handout, file, wanted, &error));
+  g_assert_cmpuint (n_changes, >, 0);
+  n_changes = 0;
+  rewind (file);
+  g_cancellable_cancel (wanted);
+  g_assert_false (handout_write (handout, file, wanted, &error));
+  g_assert_error (error, G_IO_ERROR, G_IO_ERROR_CANCELLED);
+  g_assert_cmpuint (n_changes, ==, 0);
+  g_assert_cmpint (ftell (file), ==, 0);
   fclose (file);
 }
 
@@ -196,5 +232,7 @@ main (int argc, char **argv)
   g_test_add_func ("/handout/masked-pictures-tell-nothing",
                    test_masked_pictures_tell_nothing);
   g_test_add_func ("/handout/a-full-disk-is-said", test_full_disk);
+  g_test_add_func ("/handout/of-what-is-given-up-no-page-is-played",
+                   test_given_up);
   return g_test_run ();
 }

@@ -71,7 +71,7 @@ write_pages (Pages *pages)
   FILE *file = tmpfile ();
 
   press_init (&press);
-  g_assert_true (pages_write (pages, &press, &words, file, &error));
+  g_assert_true (pages_write (pages, &press, &words, file, NULL, &error));
   g_assert_no_error (error);
   fclose (file);
 }

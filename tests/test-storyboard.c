@@ -70,7 +70,7 @@ write_board_in (Session *session, ThemeKind theme)
 
   appearance_init (&appearance);
   appearance.theme = theme;
-  g_assert_true (storyboard_write (session, &appearance, file, &error));
+  g_assert_true (storyboard_write (session, &appearance, file, NULL, &error));
   g_assert_no_error (error);
   rewind (file);
   while ((byte = fgetc (file)) != EOF)
@@ -215,8 +215,47 @@ test_full_disk (void)
 
   appearance_init (&appearance);
   g_assert_nonnull (file);
-  g_assert_false (storyboard_write (session, &appearance, file, &error));
+  g_assert_false (storyboard_write (session, &appearance, file, NULL, &error));
   g_assert_error (error, G_IO_ERROR, G_IO_ERROR_NO_SPACE);
+  fclose (file);
+}
+
+/* Nobody wants it any more while the first of two pages is painted. */
+static void
+on_changed (Session *session, guint changes, gpointer user)
+{
+  (void)changes;
+  if (session_get_stop (session) >= 1)
+    g_cancellable_cancel (user);
+}
+
+static void
+note_stop (Session *session, guint changes, gpointer user)
+{
+  guint *last = user;
+
+  (void)changes;
+  *last = MAX (*last, session_get_stop (session));
+}
+
+static void
+test_given_up (void)
+{
+  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (GCancellable) wanted = g_cancellable_new ();
+  g_autoptr (GError) error = NULL;
+  FILE *file = tmpfile ();
+  Appearance appearance;
+  guint last = 0;
+
+  appearance_init (&appearance);
+  g_signal_connect (session, "changed", G_CALLBACK (on_changed), wanted);
+  g_signal_connect (session, "changed", G_CALLBACK (note_stop), &last);
+  g_assert_false (
+      storyboard_write (session, &appearance, file, wanted, &error));
+  g_assert_error (error, G_IO_ERROR, G_IO_ERROR_CANCELLED);
+  g_assert_cmpuint (last, ==, 3);
+  g_assert_cmpint (ftell (file), ==, 0);
   fclose (file);
 }
 
@@ -261,6 +300,8 @@ main (int argc, char **argv)
                    test_questions_are_asked);
   g_test_add_func ("/storyboard/themes-matter", test_themes_matter);
   g_test_add_func ("/storyboard/a-full-disk-is-said", test_full_disk);
+  g_test_add_func ("/storyboard/what-is-given-up-ends-with-its-page",
+                   test_given_up);
   g_test_add_func ("/storyboard/letters-keep-their-distance-at-any-size",
                    test_letters_keep_their_distance);
   return g_test_run ();

@@ -84,7 +84,10 @@ play (const Export *export)
 }
 
 static gboolean
-write_pages (const Export *export, FILE *file, GError **error)
+write_pages (const Export *export,
+             FILE *file,
+             GCancellable *cancellable,
+             GError **error)
 {
   g_autoptr (Session) session = play (export);
   g_autoptr (Handout) handout = NULL;
@@ -92,9 +95,9 @@ write_pages (const Export *export, FILE *file, GError **error)
 
   appearance_init (&appearance);
   if (!export->is_handout)
-    return storyboard_write (session, &appearance, file, error);
+    return storyboard_write (session, &appearance, file, cancellable, error);
   handout = handout_new (session, &export->options);
-  return handout_write (handout, file, error);
+  return handout_write (handout, file, cancellable, error);
 }
 
 static gboolean
@@ -105,7 +108,8 @@ export_pages (ChoreTask *task, gpointer data, GError **error)
   gboolean is_good;
 
   pages_open (&pages);
-  is_good = write_pages (export, pages.file, error);
+  is_good = write_pages (export, pages.file, chore_task_get_cancellable (task),
+                         error);
   fclose (pages.file);
   is_good = is_good
             && chore_task_write (task, export->path, pages.bytes, pages.length,

@@ -95,7 +95,7 @@ load_now (Hull2vdWindow *window,
   return TRUE;
 }
 
-/* Many points, which a thread reads. */
+/* Points that a thread reads: many, or of somebody who may let it wait. */
 typedef struct Reading {
   Hull2vdWindow *window;
   char *path;
@@ -122,8 +122,8 @@ read_points (ChoreTask *task, gpointer data, GError **error)
 {
   Reading *reading = data;
 
-  (void)task;
-  reading->set = point_import_read (reading->path, &reading->is_foreign, error);
+  reading->set = point_import_read (reading->path, &reading->is_foreign,
+                                    chore_task_get_cancellable (task), error);
   return reading->set != NULL;
 }
 
@@ -153,12 +153,12 @@ window_files_stop_reading (Hull2vdWindow *window)
 #define LONG_BYTES 100000
 
 static gboolean
-is_long (const char *path)
+takes_long (const char *path)
 {
   GStatBuf status;
 
   return !document_is_lesson (path) && g_stat (path, &status) == 0
-         && S_ISREG (status.st_mode) && status.st_size > LONG_BYTES;
+         && (!S_ISREG (status.st_mode) || status.st_size > LONG_BYTES);
 }
 
 gboolean
@@ -167,7 +167,7 @@ window_files_load (Hull2vdWindow *window, const char *path)
   Reading *reading;
 
   window_files_stop_reading (window);
-  if (!is_long (path))
+  if (!takes_long (path))
     return load_now (window, path, NULL, FALSE);
   session_cancel (window->session);
   reading = g_new0 (Reading, 1);

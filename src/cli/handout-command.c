@@ -90,7 +90,7 @@ write_handout (Session *session, const Options *options)
   CliOutput output;
 
   cli_output_begin (&output);
-  return handout_write (handout, output.file, &error)
+  return handout_write (handout, output.file, NULL, &error)
              ? cli_output_end (&output, options->output)
              : cli_output_fail (&output, options->output, error);
 }

@@ -49,7 +49,8 @@ write_storyboard (Session *session, const Options *options)
   CliOutput output;
 
   cli_output_begin (&output);
-  return storyboard_write (session, &options->appearance, output.file, &error)
+  return storyboard_write (session, &options->appearance, output.file, NULL,
+                           &error)
              ? cli_output_end (&output, options->output)
              : cli_output_fail (&output, options->output, error);
 }

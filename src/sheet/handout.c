@@ -266,9 +266,13 @@ handout_paint (const Handout *handout, guint page, cairo_t *cr)
 }
 
 gboolean
-handout_write (const Handout *handout, FILE *file, GError **error)
+handout_write (const Handout *handout,
+               FILE *file,
+               GCancellable *cancellable,
+               GError **error)
 {
   const PdfWords words = words_of (handout);
 
-  return pages_write (handout->pages, &handout->press, &words, file, error);
+  return pages_write (handout->pages, &handout->press, &words, file,
+                      cancellable, error);
 }

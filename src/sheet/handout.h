@@ -2,7 +2,7 @@
  *
  *   Handout *handout = handout_new (session, &options);
  *
- *   handout_write (handout, file, &error);
+ *   handout_write (handout, file, NULL, &error);
  *   handout_free (handout);
  *
  * Without options one page: the idea, pictures, terms and facts, questions in
@@ -53,10 +53,13 @@ guint handout_count_pages (const Handout *handout);
 /* Paints a page, from 0, on white. Units: pt. */
 void handout_paint (const Handout *handout, guint page, cairo_t *cr);
 
-/* Writes it as PDF.
+/* Writes it as PDF, page by page while @cancellable, unless NULL, wants it.
  *
- * Returns: FALSE with @error set when writing failed. */
-gboolean handout_write (const Handout *handout, FILE *file, GError **error);
+ * Returns: FALSE with @error set when writing failed, or nobody wants it. */
+gboolean handout_write (const Handout *handout,
+                        FILE *file,
+                        GCancellable *cancellable,
+                        GError **error);
 
 G_END_DECLS
 

@@ -323,6 +323,7 @@ pages_write (Pages *pages,
              const Press *press,
              const PdfWords *words,
              FILE *file,
+             GCancellable *cancellable,
              GError **error)
 {
   const guint n_pages = pages_count (pages);
@@ -331,8 +332,10 @@ pages_write (Pages *pages,
   Pdf pdf;
 
   pdf_begin (&pdf, pages->paper, words);
+  pdf.cancellable = cancellable;
   cairo_tag_begin (pdf.cr, "Document", NULL);
-  for (guint page = 0; page < n_pages; page++) {
+  for (guint page = 0;
+       page < n_pages && !g_cancellable_is_cancelled (cancellable); page++) {
     paint_margins (pages, page, press, words->title, pdf.cr);
     for (; next < first_of (pages, page + 1); next++)
       add_outline (&pdf, &outline, get_entry (pages, next));

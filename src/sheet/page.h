@@ -47,13 +47,15 @@ void pages_paint (Pages *pages,
                   const PdfWords *words,
                   cairo_t *cr);
 
-/* Writes all pages, with a running heading and numbers.
+/* Writes all pages, with a running heading and numbers. Between two pages it is
+ * asked whether @cancellable, unless NULL, still wants them.
  *
- * Returns: FALSE with @error set when writing failed. */
+ * Returns: FALSE with @error set when writing failed, or nobody wants it. */
 gboolean pages_write (Pages *pages,
                       const Press *press,
                       const PdfWords *words,
                       FILE *file,
+                      GCancellable *cancellable,
                       GError **error);
 
 G_END_DECLS

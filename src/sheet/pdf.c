@@ -63,6 +63,7 @@ pdf_begin (Pdf *pdf, const Paper *paper, const PdfWords *words)
       append_bytes, pdf->bytes, paper->width, paper->height);
   pdf->cr = cairo_create (pdf->surface);
   pdf->page = 1;
+  pdf->cancellable = NULL;
   describe (pdf->surface, words);
 }
 
@@ -104,6 +105,8 @@ pdf_end (Pdf *pdf, FILE *file, GError **error)
 
   if (file == NULL)
     return TRUE;
+  if (g_cancellable_set_error_if_cancelled (pdf->cancellable, error))
+    return FALSE;
   if (status != CAIRO_STATUS_SUCCESS) {
     g_set_error (error, G_IO_ERROR, G_IO_ERROR_FAILED,
                  _ ("The pages could not be drawn: %s"),

@@ -29,7 +29,8 @@ typedef struct Pdf {
   cairo_t *cr; /* paints on the page in hand */
   cairo_surface_t *surface;
   GByteArray *bytes;
-  guint page; /* in hand, from 1 */
+  guint page;                /* in hand, from 1 */
+  GCancellable *cancellable; /* whether it is wanted; NULL at first: it is */
 } Pdf;
 
 void pdf_begin (Pdf *pdf, const Paper *paper, const PdfWords *words);
@@ -43,7 +44,8 @@ void pdf_end_page (Pdf *pdf);
 
 /* Writes the file, unless @file is NULL, and lets it go.
  *
- * Returns: FALSE with @error set when painting or writing failed. */
+ * Returns: FALSE with @error set when painting or writing failed, or it is not
+ *          wanted any more. */
 gboolean pdf_end (Pdf *pdf, FILE *file, GError **error);
 
 G_END_DECLS

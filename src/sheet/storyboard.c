@@ -102,6 +102,7 @@ gboolean
 storyboard_write (Session *session,
                   const Appearance *appearance,
                   FILE *file,
+                  GCancellable *cancellable,
                   GError **error)
 {
   const Lesson *lesson = session_get_lesson (session);
@@ -116,7 +117,10 @@ storyboard_write (Session *session,
   board.n_pages = (board.n_panels + PER_PAGE - 1) / PER_PAGE;
   pdf_begin (&board.pdf, paper_find ("a4"),
              &(PdfWords){ .title = board.title });
-  for (guint page = 0; page < board.n_pages; page++)
+  board.pdf.cancellable = cancellable;
+  for (guint page = 0;
+       page < board.n_pages && !g_cancellable_is_cancelled (cancellable);
+       page++)
     paint_page (&board, page);
   if (session_get_n_stops (session) > 0)
     session_set_stop (session, stop);

@@ -10,13 +10,19 @@ struct ChoreTask {
   ChoreWork work;
   gpointer data;
   GDestroyNotify free_data;
-  gint is_given_up; /* atomic */
+  GCancellable *wanted; /* no longer, when it is given up */
 };
 
 gboolean
 chore_task_is_given_up (ChoreTask *task)
 {
-  return g_atomic_int_get (&task->is_given_up) != 0;
+  return g_cancellable_is_cancelled (task->wanted);
+}
+
+GCancellable *
+chore_task_get_cancellable (ChoreTask *task)
+{
+  return task->wanted;
 }
 
 gboolean
@@ -65,6 +71,7 @@ on_worked (GObject *source, GAsyncResult *result, gpointer user)
     task->done (task->data, error);
   }
   task->free_data (task->data);
+  g_object_unref (task->wanted);
   g_object_unref (task->session);
   g_free (task);
 }
@@ -74,7 +81,7 @@ chore_task_give_up (ChoreTask *task)
 {
   if (chore_task_is_given_up (task))
     return;
-  g_atomic_int_set (&task->is_given_up, 1);
+  g_cancellable_cancel (task->wanted);
   session_end_chore (task->session, task->chore);
 }
 
@@ -96,6 +103,7 @@ chore_task_begin (Session *session,
   g_autoptr (GTask) job = g_task_new (NULL, NULL, on_worked, task);
 
   task->session = g_object_ref (session);
+  task->wanted = g_cancellable_new ();
   task->work = do_work;
   task->done = done;
   task->data = data;

@@ -42,6 +42,11 @@ void chore_task_give_up (ChoreTask *task);
 /* For the thread, between the pieces of its work. */
 gboolean chore_task_is_given_up (ChoreTask *task);
 
+/* The same for what waits, or asks by itself.
+ *
+ * Returns: (transfer none): cancelled when it is given up. */
+GCancellable *chore_task_get_cancellable (ChoreTask *task);
+
 /* What document_write() does, unless it has been given up: then there is no
  * new file. Files are written one after the other, in the order of the main
  * loop's wishes as far as these are not given up. */

@@ -59,9 +59,12 @@ refuse_file (DocumentError code, const char *path, int reason, GError **error)
 }
 
 char *
-document_read (const char *path, gsize *length, GError **error)
+document_read (const char *path,
+               gsize *length,
+               GCancellable *cancellable,
+               GError **error)
 {
-  char *text = input_read (path, length);
+  char *text = input_read (path, length, cancellable);
 
   if (text == NULL)
     refuse_file (DOCUMENT_ERROR_CANNOT_OPEN, path, errno, error);
@@ -72,7 +75,7 @@ SiteSet *
 document_read_points (const char *path, GError **error)
 {
   gsize length;
-  g_autofree char *text = document_read (path, &length, error);
+  g_autofree char *text = document_read (path, &length, NULL, error);
 
   return text == NULL ? NULL
                       : document_parse_points (text, length, path, error);

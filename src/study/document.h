@@ -38,7 +38,10 @@ SiteSet *document_parse_points (const char *text,
  *
  * Returns: (transfer full): its bytes, or NULL with @error
  *          (DOCUMENT_ERROR_CANNOT_OPEN) set. */
-char *document_read (const char *path, gsize *length, GError **error);
+char *document_read (const char *path,
+                     gsize *length,
+                     GCancellable *cancellable,
+                     GError **error);
 
 /* Returns: (transfer full): the points of a file, free with
  *          site_set_free(), or NULL with @error set. */

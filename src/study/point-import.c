@@ -7,7 +7,9 @@
 #include "words.h"
 
 #include <glib/gi18n.h>
+#include <glib/gstdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #define BYTE_ORDER_MARK "\xef\xbb\xbf"
 /* Longer first lines are no headings. */
@@ -269,10 +271,13 @@ put_set (Session *session,
 }
 
 SiteSet *
-point_import_read (const char *path, gboolean *is_foreign, GError **error)
+point_import_read (const char *path,
+                   gboolean *is_foreign,
+                   GCancellable *cancellable,
+                   GError **error)
 {
   gsize length;
-  g_autofree char *text = document_read (path, &length, error);
+  g_autofree char *text = document_read (path, &length, cancellable, error);
 
   *is_foreign = FALSE;
   return text == NULL
@@ -287,6 +292,19 @@ point_import_put (Session *session, SiteSet *set, GError **error)
                   error);
 }
 
+/* A lesson is read again when its file changes, and nothing is waited for. */
+static gboolean
+check_regular (const char *path, GError **error)
+{
+  GStatBuf status;
+
+  if (g_stat (path, &status) != 0 || S_ISREG (status.st_mode)
+      || S_ISDIR (status.st_mode))
+    return TRUE; /* or what cannot be opened, which says why */
+  refuse (path, 0, _ ("this is not a regular file"), error);
+  return FALSE;
+}
+
 gboolean
 point_import_open (Session *session,
                    const char *path,
@@ -297,8 +315,8 @@ point_import_open (Session *session,
 
   *is_foreign = FALSE;
   if (document_is_lesson (path))
-    return document_open (session, path, error);
-  set = point_import_read (path, is_foreign, error);
+    return check_regular (path, error) && document_open (session, path, error);
+  set = point_import_read (path, is_foreign, NULL, error);
   return set != NULL && point_import_put (session, set, error);
 }
 

@@ -29,17 +29,21 @@ SiteSet *point_import_parse (const char *text,
                              gboolean *is_foreign,
                              GError **error);
 
-/* Opens a lesson, or points in any of these forms, as document_open() does. */
+/* Opens a lesson, or points in any of these forms, as document_open() does. A
+ * lesson must be a regular file. */
 gboolean point_import_open (Session *session,
                             const char *path,
                             gboolean *is_foreign,
                             GError **error);
 
-/* Both halves of that for points: what may be another thread's, and the rest.
+/* Both halves of that for points: what may be another thread's, which may have
+ * to wait until @cancellable, unless NULL, says no; and the rest.
  *
  * Returns: (transfer full): the points, or NULL with @error set. */
-SiteSet *
-point_import_read (const char *path, gboolean *is_foreign, GError **error);
+SiteSet *point_import_read (const char *path,
+                            gboolean *is_foreign,
+                            GCancellable *cancellable,
+                            GError **error);
 
 /* Takes @set. */
 gboolean point_import_put (Session *session, SiteSet *set, GError **error);

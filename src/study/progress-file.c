@@ -347,7 +347,7 @@ progress_read (Progress *progress, GError **error)
   const Reading reading = { progress->path, error };
   g_autofree char *shown = g_filename_display_name (progress->path);
   gsize length;
-  g_autofree char *text = input_read (progress->path, &length);
+  g_autofree char *text = input_read (progress->path, &length, NULL);
   const int reason = errno;
 
   g_ptr_array_set_size (progress->lessons, 0);

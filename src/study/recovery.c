@@ -196,7 +196,7 @@ static char *
 read_origin (const char *path)
 {
   gsize length;
-  g_autofree char *text = input_read (path, &length);
+  g_autofree char *text = input_read (path, &length, NULL);
   g_auto (GStrv) lines = text != NULL ? g_strsplit (text, "\n", 3) : NULL;
 
   if (lines == NULL || lines[0] == NULL || lines[1] == NULL
