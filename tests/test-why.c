@@ -143,9 +143,10 @@ gap_above (const Stage *stage, uint32_t facet, Point3 at)
   return at.z - (a.z + s * (b.z - a.z) + t * (c.z - a.z));
 }
 
-/* The ellipse lies on the paraboloid and in the plane; the patch of plane in
- * the plane; the gap is vertical, from the lift to the plane, and as long as
- * the power; the segment in the plane has the power as its square. */
+/* The ellipse lies on the paraboloid, as far as it is shown, and in the plane;
+ * the patch of plane in the plane; the gap is vertical, from the lift to the
+ * plane, and as long as the power; the segment in the plane has the power as
+ * its square. */
 static void
 check_facet (Stage *stage, uint32_t facet, uint32_t site)
 {
@@ -154,11 +155,13 @@ check_facet (Stage *stage, uint32_t facet, uint32_t site)
   const SceneItem *gap, *short_cut;
   const Point3 *ends;
   Power power;
+  Point3 rim;
   uint32_t i, k;
 
   stage->look.selection = (Object){ OBJECT_FACET, facet };
   stage->look.measured = (Object){ OBJECT_SITE, site };
   scene_space (&stage->space, &stage->frame, &stage->look);
+  rim = stage->space.points[find_role (&stage->space, ROLE_RIM)->first];
   scene_plane (&stage->plane, &stage->frame, &stage->look);
   for (i = 0; i < stage->space.n_items; i++) {
     const SceneItem *item = &stage->space.items[i];
@@ -171,8 +174,10 @@ check_facet (Stage *stage, uint32_t facet, uint32_t site)
 
       /* Chords end a little inside the circle where they are cut off. */
       g_assert_cmpfloat (fabs (gap_above (stage, facet, at)), <, 1e-3);
-      if (item->role == ROLE_ELLIPSE)
-        g_assert_cmpfloat (fabs (at.z - sheet), <, 1e-9);
+      if (item->role != ROLE_ELLIPSE)
+        continue;
+      g_assert_cmpfloat (fabs (at.z - sheet), <, 1e-9);
+      g_assert_cmpfloat (at.z, <, rim.z + 1e-9);
     }
   }
   g_assert_nonnull (find_role (&stage->space, ROLE_ELLIPSE));
@@ -194,6 +199,58 @@ check_facet (Stage *stage, uint32_t facet, uint32_t site)
           pow (hypot (ends[1].x - ends[0].x, ends[1].y - ends[0].y) * radius, 2)
           - fabs (power.value)),
       <, 1e-9);
+}
+
+/* Whether a convex polygon, seen from above, has a point in it. */
+static bool
+holds (const Scene *scene, const SceneItem *item, Point3 at)
+{
+  uint32_t k, n_left = 0;
+
+  for (k = 0; k < item->n; k++) {
+    const Point3 a = scene->points[item->first + k];
+    const Point3 b = scene->points[item->first + (k + 1) % item->n];
+
+    n_left += (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x) > 0;
+  }
+  return n_left == 0 || n_left == item->n;
+}
+
+/* However far a site is from the circle, also below the plane z = 0. */
+static void
+check_foot (Stage *stage, uint32_t facet, uint32_t site)
+{
+  const SceneItem *gap, *patch;
+  Point3 foot;
+
+  stage->look.selection = (Object){ OBJECT_FACET, facet };
+  stage->look.measured = (Object){ OBJECT_SITE, site };
+  scene_space (&stage->space, &stage->frame, &stage->look);
+  gap = find_role (&stage->space, ROLE_GAP);
+  patch = find_role (&stage->space, ROLE_PLANE);
+  if (gap == NULL)
+    return;
+  foot = stage->space.points[gap->first + 1];
+  g_assert_nonnull (patch);
+  g_assert_true (holds (&stage->space, patch, foot));
+}
+
+static void
+test_foot (void)
+{
+  static const char *const names[] = { "lecture8", "mixed8", "furthest8" };
+  size_t i;
+
+  for (i = 0; i < G_N_ELEMENTS (names); i++) {
+    uint32_t k, site;
+    Stage stage;
+
+    stage_init (&stage, names[i]);
+    for (k = 0; k < stage.frame.n_facets; k++)
+      for (site = 0; site < stage.frame.n_sites; site++)
+        check_foot (&stage, stage.frame.facets[k].facet, site);
+    stage_clear (&stage);
+  }
 }
 
 static void
@@ -259,6 +316,7 @@ main (int argc, char **argv)
   g_test_add_func ("/why/numbers-have-three-digits", test_numbers);
   g_test_add_func ("/why/the-gap-in-space-is-the-power-in-the-plane",
                    test_pictures);
+  g_test_add_func ("/why/the-gap-ends-on-the-patch-of-plane", test_foot);
   g_test_add_func ("/why/the-sentence-says-what-sees", test_sentences);
   return g_test_run ();
 }

@@ -20,6 +20,12 @@ role_of (AnswerKind kind)
   return ROLE_ANSWER_CHOSEN;
 }
 
+static bool
+is_checked (const SceneAnswer *answer)
+{
+  return answer->kind == ANSWER_RIGHT || answer->kind == ANSWER_WRONG;
+}
+
 /* A sign beside the mark, so that colour alone tells nothing. */
 static const char *
 sign_of (SceneBuilder *builder, const SceneAnswer *answer)
@@ -41,14 +47,55 @@ sign_of (SceneBuilder *builder, const SceneAnswer *answer)
   return scene_text (builder, number);
 }
 
-/* The sign by itself, where the object has a line of its own. */
+/* Loud: it is not left out for lack of room. */
 static void
-add_sign (SceneBuilder *builder, const SceneAnswer *answer, Point3 at)
+add_name (SceneBuilder *builder,
+          const SceneAnswer *answer,
+          Point3 at,
+          const char *name)
+{
+  if (name == NULL)
+    return;
+  scene_add_mark (builder, ROLE_ANSWER_NAME, answer->object, at, name);
+  builder->scene->items[builder->scene->n_items - 1].emphasis = EMPHASIS_LOUD;
+}
+
+/* What is said of an answer speaks of facets by their names. Sign and name are
+ * one, or each would be put where there is room for it. */
+static const char *
+name_of_facet (SceneBuilder *builder, const SceneAnswer *answer)
 {
   const char *sign = sign_of (builder, answer);
+  char name[LABEL_ROOM];
 
-  if (sign != NULL)
-    scene_add_mark (builder, ROLE_FACET_NAME, answer->object, at, sign);
+  if (!scene_has_layer (builder, LAYER_LABELS))
+    return sign;
+  if (sign == NULL)
+    snprintf (name, sizeof name, "f%u", answer->object.number);
+  else if (is_checked (answer))
+    snprintf (name, sizeof name, "f%u %s", answer->object.number, sign);
+  else
+    snprintf (name, sizeof name, "%s f%u", sign, answer->object.number);
+  return scene_text (builder, name);
+}
+
+bool
+scene_has_answer (const SceneBuilder *builder, uint32_t facet)
+{
+  const SceneLook *look = builder->look;
+  uint32_t i;
+
+  for (i = 0; i < look->n_answers; i++) {
+    const Object object = look->answers[i].object;
+
+    if (object.kind == OBJECT_FACET && object.number == facet)
+      return true;
+    if (object.kind == OBJECT_VERTEX
+        && scene_group (builder, object.number) != INDEX_NONE
+        && scene_group (builder, object.number) == scene_group (builder, facet))
+      return true;
+  }
+  return false;
 }
 
 /* The middle of some sites. */
@@ -105,7 +152,7 @@ add_facet (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
                            corner.y + ANSWER_INSET * (middle.y - corner.y),
                            corner.z + ANSWER_INSET * (middle.z - corner.z) });
   }
-  add_sign (builder, answer, middle);
+  add_name (builder, answer, middle, name_of_facet (builder, answer));
 }
 
 static void
@@ -119,7 +166,8 @@ add_ridge (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
   row = trace_ridge (trace, answer->object.number);
   scene_add_edge (builder, role_of (answer->kind), answer->object, row.site,
                   lifted);
-  add_sign (builder, answer, middle_of (builder, row.site, 2, lifted));
+  add_name (builder, answer, middle_of (builder, row.site, 2, lifted),
+            sign_of (builder, answer));
 }
 
 static void

@@ -178,7 +178,11 @@ scene_diagram_preview (const SceneDiagram *diagram, Site at, Preview *preview);
 
 void scene_add_cells (SceneDiagram *diagram);
 void scene_add_voronoi_edges (SceneDiagram *diagram);
+
+/* Vertices that stand; those that will go are to be seen over all sites. */
 void scene_add_voronoi_vertices (SceneDiagram *diagram);
+void scene_add_dying_vertices (SceneDiagram *diagram);
+
 void scene_add_tangents (SceneBuilder *builder, const SceneDiagram *diagram);
 
 /* The layer of the furthest-site diagrams, if it is shown; its cells where no
@@ -190,31 +194,38 @@ void scene_add_furthest (SceneBuilder *builder, const Point3 box[2]);
 void scene_add_preview (SceneBuilder *builder, const Point3 box[2]);
 void scene_add_preview_lift (SceneBuilder *builder);
 
+/* Returns: the radius at which the paraboloid is cut off. */
+double scene_rim (const SceneBuilder *builder);
+
 /* The layer that tells why: plane and ellipse in space, the circle in the
  * plane, the gap in both. */
 void scene_add_why_plane (SceneBuilder *builder);
 void scene_add_why (SceneBuilder *builder, bool lifted);
 
-/* The circle through three sites; the ellipse over it where the paraboloid
- * is, when @lifted. */
+/* The circle through three sites; the ellipse over it on the paraboloid, as
+ * far as that is shown. */
 void scene_add_circle (SceneBuilder *builder,
                        Role role,
                        Object object,
                        const uint32_t site[3],
-                       const Point3 box[2],
-                       bool lifted);
+                       const Point3 box[2]);
+void scene_add_ellipse (SceneBuilder *builder, const uint32_t site[3]);
 
 /* While lifts are on their way, the paraboloid's contours at fixed heights
  * tell how far: the lower the lifts, the further out. */
 void scene_add_contours (SceneBuilder *builder, const Point3 box[2]);
 
-/* Parts that plane and space have in common: all that lies in the plane. */
-void scene_add_circles (SceneBuilder *builder, const Point3 box[2]);
+/* Parts that plane and space have in common: all that lies in the plane.
+ * Circles lie over the shadow of a cone, where there is one, or else under the
+ * edges: it is said which of the two places this is. */
+void
+scene_add_circles (SceneBuilder *builder, const Point3 box[2], bool over_cone);
 void scene_add_lit_circles (SceneBuilder *builder, const Point3 box[2]);
 void scene_add_triangles (SceneBuilder *builder);
 void scene_add_delaunay_edges (SceneBuilder *builder);
 void scene_add_seen_edges (SceneBuilder *builder);
 void scene_add_cone_shadow (SceneBuilder *builder);
+bool scene_has_cone_shadow (const SceneBuilder *builder);
 
 /* The same in the plane, or in space when @lifted. */
 SceneItem *scene_add_polygon (SceneBuilder *builder,
@@ -236,7 +247,7 @@ SceneItem *scene_add_outline (SceneBuilder *builder,
                               bool lifted);
 
 /* Names the facet that the sentence of the step speaks of; that which is
- * selected. */
+ * selected. Answers have their names. */
 void scene_add_step_name (SceneBuilder *builder, bool lifted);
 void scene_add_selected_name (SceneBuilder *builder, bool lifted);
 
@@ -244,6 +255,9 @@ void scene_add_selected_name (SceneBuilder *builder, bool lifted);
 #define ANSWER_INSET 0.14
 
 void scene_add_answers (SceneBuilder *builder, bool lifted);
+
+/* Returns: whether a facet is an answer, and so has its name already. */
+bool scene_has_answer (const SceneBuilder *builder, uint32_t facet);
 
 /* Returns: the facet whose outside set is shown, or INDEX_NONE. */
 uint32_t scene_selected_facet (const SceneBuilder *builder);

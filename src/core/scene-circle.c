@@ -67,8 +67,8 @@ typedef struct Pen {
   SceneBuilder *builder;
   Role role;
   Object object;
-  bool is_lifted; /* onto the paraboloid */
-  Pixel at;       /* the end of the item in hand */
+  double rim; /* of the paraboloid that it is lifted onto; 0: of none */
+  Pixel at;   /* the end of the item in hand */
   bool is_down;
 } Pen;
 
@@ -78,8 +78,31 @@ pen_point (Pen *pen, Pixel at)
   const SceneLook *look = pen->builder->look;
   const double z = look->lift * (look->raise + at.x * at.x + at.y * at.y);
 
-  scene_add_point (pen->builder,
-                   (Point3){ at.x, at.y, pen->is_lifted ? z : 0 });
+  scene_add_point (pen->builder, (Point3){ at.x, at.y, pen->rim > 0 ? z : 0 });
+}
+
+/* Cuts a segment off where it leaves the disc round 0.
+ *
+ * Returns: whether a part of it is left. */
+static bool
+clip_to_disc (double radius, Pixel ends[2])
+{
+  const Pixel from = ends[0];
+  const Pixel by = { ends[1].x - from.x, ends[1].y - from.y };
+  const double a = by.x * by.x + by.y * by.y;
+  const double b = from.x * by.x + from.y * by.y;
+  const double c = from.x * from.x + from.y * from.y - radius * radius;
+  const double root = sqrt (fmax (b * b - a * c, 0));
+  const double first = fmax ((-b - root) / a, 0);
+  const double last = fmin ((-b + root) / a, 1);
+
+  if (!(first < last))
+    return false;
+  if (last < 1)
+    ends[1] = (Pixel){ from.x + last * by.x, from.y + last * by.y };
+  if (first > 0)
+    ends[0] = (Pixel){ from.x + first * by.x, from.y + first * by.y };
+  return true;
 }
 
 static void
@@ -88,7 +111,8 @@ pen_draw (Pen *pen, const Point3 box[2], Point3 from, Point3 to)
   Pixel ends[2] = { { from.x, from.y }, { to.x, to.y } };
 
   if (!clip_to_rectangle ((Pixel){ box[0].x, box[0].y },
-                          (Pixel){ box[1].x, box[1].y }, ends)) {
+                          (Pixel){ box[1].x, box[1].y }, ends)
+      || (pen->rim > 0 && !clip_to_disc (pen->rim, ends))) {
     pen->is_down = false;
     return;
   }
@@ -118,24 +142,39 @@ draw_circle (Pen *pen, const Circle *circle, const Point3 box[2])
   }
 }
 
+static void
+add_circle (Pen *pen, const uint32_t site[3], const Point3 box[2])
+{
+  const SceneBuilder *builder = pen->builder;
+  const Circle circle = circle_through (scene_at (builder, site[0], false),
+                                        scene_at (builder, site[1], false),
+                                        scene_at (builder, site[2], false));
+
+  /* Sites that share their doubles in the scene have no circle to show. */
+  if (isfinite (circle.inwards.x))
+    draw_circle (pen, &circle, box);
+}
+
 void
 scene_add_circle (SceneBuilder *builder,
                   Role role,
                   Object object,
                   const uint32_t site[3],
-                  const Point3 box[2],
-                  bool lifted)
+                  const Point3 box[2])
 {
-  const Circle circle = circle_through (scene_at (builder, site[0], false),
-                                        scene_at (builder, site[1], false),
-                                        scene_at (builder, site[2], false));
-  Pen pen = {
-    .builder = builder, .role = role, .object = object, .is_lifted = lifted
-  };
+  Pen pen = { .builder = builder, .role = role, .object = object };
 
-  /* Sites that share their doubles in the scene have no circle to show. */
-  if (isfinite (circle.inwards.x))
-    draw_circle (&pen, &circle, box);
+  add_circle (&pen, site, box);
+}
+
+void
+scene_add_ellipse (SceneBuilder *builder, const uint32_t site[3])
+{
+  const double rim = scene_rim (builder);
+  const Point3 box[2] = { { -rim, -rim, 0 }, { rim, rim, 0 } };
+  Pen pen = { .builder = builder, .role = ROLE_ELLIPSE, .rim = rim };
+
+  add_circle (&pen, site, box);
 }
 
 void
@@ -170,19 +209,29 @@ add_upper_circles (SceneBuilder *builder, const Point3 box[2])
     if (row->facing == FACING_UPPER && (frame->facets[i].roles & FACET_VISIBLE)
         && !(frame->facets[i].roles & FACET_RETIRED))
       scene_add_circle (builder, ROLE_CIRCLE_UPPER,
-                        (Object){ OBJECT_FACET, facet }, row->site, box, false);
+                        (Object){ OBJECT_FACET, facet }, row->site, box);
   }
 }
 
-void
-scene_add_circles (SceneBuilder *builder, const Point3 box[2])
+/* Dots have little ink: what is pale would be lost on a cone's shadow. */
+static void
+keep_ink (Scene *scene, uint32_t first)
+{
+  uint32_t i;
+
+  for (i = first; i < scene->n_items; i++)
+    if (scene->items[i].role == ROLE_CIRCLE_UPPER
+        && scene->items[i].emphasis == EMPHASIS_PALE)
+      scene->items[i].emphasis = EMPHASIS_NORMAL;
+}
+
+static void
+add_circles (SceneBuilder *builder, const Point3 box[2])
 {
   const Frame *frame = builder->frame;
   const bool has_layer = scene_has_layer (builder, LAYER_CIRCLES);
   uint32_t group;
 
-  if (builder->look->mask & MASK_FACING)
-    return;
   for (group = 0; group < frame->voronoi.n_vertices; group++) {
     const uint32_t triangle = frame->voronoi.vertices[group].triangle;
     const bool is_dying = frame->is_dying[group];
@@ -190,7 +239,20 @@ scene_add_circles (SceneBuilder *builder, const Point3 box[2])
     if (is_dying || has_layer)
       scene_add_circle (builder, is_dying ? ROLE_CIRCLE_VISIBLE : ROLE_CIRCLE,
                         scene_vertex_object (builder, group),
-                        frame->delaunay.triangles[triangle].site, box, false);
+                        frame->delaunay.triangles[triangle].site, box);
   }
   add_upper_circles (builder, box);
+}
+
+void
+scene_add_circles (SceneBuilder *builder, const Point3 box[2], bool over_cone)
+{
+  const uint32_t first = builder->scene->n_items;
+
+  if ((builder->look->mask & MASK_FACING)
+      || over_cone != scene_has_cone_shadow (builder))
+    return;
+  add_circles (builder, box);
+  if (over_cone)
+    keep_ink (builder->scene, first);
 }

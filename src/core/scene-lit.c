@@ -257,7 +257,7 @@ add_circle_of (SceneBuilder *builder, Object object, const Point3 box[2])
     return;
   triangle = frame->voronoi.vertices[group].triangle;
   scene_add_circle (builder, ROLE_CIRCLE_SELECTED, vertex,
-                    frame->delaunay.triangles[triangle].site, box, false);
+                    frame->delaunay.triangles[triangle].site, box);
 }
 
 /* A facet that is not lower has a circle too. */
@@ -275,7 +275,7 @@ add_upper_circles (SceneBuilder *builder, const Point3 box[2])
     if (trace->facets[facets[i]].facing == FACING_UPPER && !is_seen)
       scene_add_circle (builder, ROLE_CIRCLE_SELECTED,
                         (Object){ OBJECT_FACET, facets[i] },
-                        trace->facets[facets[i]].site, box, false);
+                        trace->facets[facets[i]].site, box);
   }
   free (facets);
 }

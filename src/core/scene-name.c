@@ -39,7 +39,7 @@ static void
 name_facet (SceneBuilder *builder, uint32_t facet, bool lifted)
 {
   if (facet != INDEX_NONE && !builder->frame->trace->is_flat
-      && scene_roles (builder, facet) != 0
+      && !scene_has_answer (builder, facet) && scene_roles (builder, facet) != 0
       && (lifted
           || builder->frame->trace->facets[facet].facing == FACING_LOWER))
     add_facet_name (builder, facet, lifted);

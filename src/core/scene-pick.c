@@ -32,7 +32,8 @@ static bool
 is_pickable (const SceneItem *item, SceneShape shape)
 {
   return item->shape == shape && item->object.kind != OBJECT_NONE
-         && item->fade < 1 && item->role != ROLE_FACET_NAME;
+         && item->fade < 1 && item->role != ROLE_FACET_NAME
+         && item->role != ROLE_ANSWER_NAME;
 }
 
 static double

@@ -74,11 +74,12 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_add_triangles (&builder);
   if (scene_has_layer (&builder, LAYER_VORONOI))
     scene_add_voronoi_edges (diagram);
-  scene_add_circles (&builder, box);
+  scene_add_circles (&builder, box, false);
   scene_add_delaunay_edges (&builder);
   scene_add_seen_edges (&builder);
   scene_add_furthest (&builder, box);
   scene_add_cone_shadow (&builder);
+  scene_add_circles (&builder, box, true);
   scene_add_cone_edges (&builder, false);
   scene_add_selected_facet (&builder, false);
   scene_add_horizon (&builder, false);
@@ -86,6 +87,7 @@ scene_plane (Scene *scene, const Frame *frame, const SceneLook *look)
   builder.pass = PASS_MARKS;
   scene_add_voronoi_vertices (diagram);
   add_sites (&builder);
+  scene_add_dying_vertices (diagram);
   scene_add_step_name (&builder, false);
   scene_add_answers (&builder, false);
   scene_diagram_free (diagram);

@@ -79,6 +79,7 @@ static const char *const role_names[N_ROLES] = {
   [ROLE_SITE_IGNORED] = "site-ignored",
   [ROLE_POWER] = "power",
   [ROLE_FACET_NAME] = "facet-name",
+  [ROLE_ANSWER_NAME] = "answer-name",
 };
 
 static const char *const body_names[N_BODIES] = {

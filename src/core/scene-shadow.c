@@ -278,6 +278,24 @@ scene_add_seen_edges (SceneBuilder *builder)
   }
 }
 
+static bool
+has_cone_shadow (const SceneBuilder *builder, const FrameFacet *facet)
+{
+  return (facet->roles & FACET_CONE) && is_lower (builder, facet->facet);
+}
+
+bool
+scene_has_cone_shadow (const SceneBuilder *builder)
+{
+  const Frame *frame = builder->frame;
+  uint32_t i;
+
+  for (i = 0; i < frame->n_facets; i++)
+    if (has_cone_shadow (builder, &frame->facets[i]))
+      return true;
+  return false;
+}
+
 void
 scene_add_cone_shadow (SceneBuilder *builder)
 {
@@ -285,8 +303,7 @@ scene_add_cone_shadow (SceneBuilder *builder)
   uint32_t i;
 
   for (i = 0; i < frame->n_facets; i++)
-    if ((frame->facets[i].roles & FACET_CONE)
-        && is_lower (builder, frame->facets[i].facet))
+    if (has_cone_shadow (builder, &frame->facets[i]))
       scene_add_polygon (builder, ROLE_CONE, frame->facets[i].facet, false);
 }
 

@@ -67,23 +67,25 @@ add_plane (SceneBuilder *builder)
   scene_add_triangles (builder);
   if (scene_has_layer (builder, LAYER_VORONOI))
     scene_add_voronoi_edges (diagram);
-  scene_add_circles (builder, box);
+  scene_add_circles (builder, box, false);
   scene_add_delaunay_edges (builder);
   scene_add_seen_edges (builder);
   scene_add_furthest (builder, box);
   scene_add_cone_shadow (builder);
+  scene_add_circles (builder, box, true);
   scene_add_cone_edges (builder, false);
   scene_add_horizon (builder, false);
   scene_add_voronoi_vertices (diagram);
   add_feet (builder);
+  scene_add_dying_vertices (diagram);
   builder->pass = PASS_OUTER;
   if (scene_has_layer (builder, LAYER_TANGENTS))
     scene_add_tangents (builder, diagram);
   scene_diagram_free (diagram);
 }
 
-static double
-rim_radius (const SceneBuilder *builder)
+double
+scene_rim (const SceneBuilder *builder)
 {
   double squared = 0;
   uint32_t i;
@@ -138,7 +140,7 @@ add_meridian (SceneBuilder *builder, double rim, Pixel direction)
 static void
 add_sheet (SceneBuilder *builder)
 {
-  const double rim = rim_radius (builder);
+  const double rim = scene_rim (builder);
   Pixel directions[N_ROUND];
   int i;
 

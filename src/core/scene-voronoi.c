@@ -273,24 +273,19 @@ find_tied (const Voronoi *voronoi)
 }
 
 static void
-add_vertex (SceneDiagram *diagram, uint32_t group, bool is_tied)
+add_vertex (SceneDiagram *diagram, Role role, uint32_t group)
 {
   SceneBuilder *builder = diagram->builder;
   const Point3 at = to_scene (diagram, diagram->voronoi->vertices[group].at);
-  const bool is_dying = builder->frame->is_dying[group];
 
-  if (is_inside (diagram, at)
-      && (is_dying || scene_has_layer (builder, LAYER_VORONOI)))
-    scene_add_mark (builder,
-                    is_dying  ? ROLE_VORONOI_VERTEX_DYING
-                    : is_tied ? ROLE_VORONOI_VERTEX_TIED
-                              : ROLE_VORONOI_VERTEX,
-                    scene_vertex_object (builder, group), at, NULL);
+  if (is_inside (diagram, at))
+    scene_add_mark (builder, role, scene_vertex_object (builder, group), at,
+                    NULL);
 }
 
 /* In the order of the triangles that stand for them. */
-void
-scene_add_voronoi_vertices (SceneDiagram *diagram)
+static void
+add_vertices (SceneDiagram *diagram, bool is_dying)
 {
   const Voronoi *voronoi = diagram->voronoi;
   const uint32_t *order = scene_order_triangles (diagram->builder);
@@ -301,8 +296,32 @@ scene_add_voronoi_vertices (SceneDiagram *diagram)
     const uint32_t group = voronoi->delaunay->triangles[order[i]].group;
 
     if (group < voronoi->n_vertices
-        && voronoi->vertices[group].triangle == order[i])
-      add_vertex (diagram, group, is_tied[group]);
+        && voronoi->vertices[group].triangle == order[i]
+        && diagram->builder->frame->is_dying[group] == is_dying)
+      add_vertex (diagram,
+                  is_dying         ? ROLE_VORONOI_VERTEX_DYING
+                  : is_tied[group] ? ROLE_VORONOI_VERTEX_TIED
+                                   : ROLE_VORONOI_VERTEX,
+                  group);
   }
   free (is_tied);
+}
+
+void
+scene_add_voronoi_vertices (SceneDiagram *diagram)
+{
+  if (scene_has_layer (diagram->builder, LAYER_VORONOI))
+    add_vertices (diagram, false);
+}
+
+void
+scene_add_dying_vertices (SceneDiagram *diagram)
+{
+  const Frame *frame = diagram->builder->frame;
+  uint32_t group = 0;
+
+  while (group < frame->voronoi.n_vertices && !frame->is_dying[group])
+    group++;
+  if (group < frame->voronoi.n_vertices)
+    add_vertices (diagram, true);
 }

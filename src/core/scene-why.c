@@ -5,8 +5,15 @@
 #include "why.h"
 
 #include <math.h>
+#include <string.h>
 
-#define MARGIN 1.15 /* of the patch of plane beyond the circle */
+/* How far the patch of plane goes beyond the circle, times its radius, but no
+ * more than so much; and round the end of the gap. */
+#define MARGIN 0.15
+#define MARGIN_MOST 0.08
+#define ROOM 0.06
+
+#define PATCH_ROOM 12 /* corners: of a square, two more for each cut */
 #define N_PARABOLA 48
 
 static const Object no_object = { OBJECT_NONE, 0 };
@@ -63,37 +70,104 @@ on_plane (const SceneBuilder *builder, const FacetPlane *plane, Pixel at)
   };
 }
 
-/* Adds what of the patch lies above the ground; in @corners, with room for
- * two more. */
+/* A patch of a facet's plane: what of it lies over a rectangle of the ground
+ * between two heights. */
+typedef struct Patch {
+  Pixel low, high;
+  double floor, ceiling;
+} Patch;
+
+/* As high as the paraboloid, but the gap of a site ends on it wherever that
+ * is. */
+static Patch
+find_patch (const SceneBuilder *builder, Why why, const FacetPlane *plane)
+{
+  const double rim = scene_rim (builder);
+  const double r = plane->radius + fmin (MARGIN * plane->radius, MARGIN_MOST);
+  const Pixel o = { plane->centre.x, plane->centre.y };
+  Patch patch = { { o.x - r, o.y - r },
+                  { o.x + r, o.y + r },
+                  0,
+                  builder->look->lift * (builder->look->raise + rim * rim) };
+  Point3 foot;
+
+  if (why.site == INDEX_NONE)
+    return patch;
+  foot = scene_at (builder, why.site, false);
+  foot = on_plane (builder, plane, (Pixel){ foot.x, foot.y });
+  patch.low.x = fmin (patch.low.x, foot.x - ROOM);
+  patch.low.y = fmin (patch.low.y, foot.y - ROOM);
+  patch.high.x = fmax (patch.high.x, foot.x + ROOM);
+  patch.high.y = fmax (patch.high.y, foot.y + ROOM);
+  patch.floor = fmin (patch.floor, foot.z - ROOM);
+  patch.ceiling = fmax (patch.ceiling, foot.z + ROOM);
+  return patch;
+}
+
+/* The rectangle of a patch, cut off where the paraboloid is. */
+static uint32_t
+find_corners (const SceneBuilder *builder,
+              const FacetPlane *plane,
+              const Patch *patch,
+              Point3 corners[PATCH_ROOM])
+{
+  const double reach = fmax (CAMERA_GROUND, scene_rim (builder));
+  Pixel in_plane[8] = { patch->low,
+                        { patch->high.x, patch->low.y },
+                        patch->high,
+                        { patch->low.x, patch->high.y } };
+  const uint32_t n = clip_polygon_to_rectangle (
+      (Pixel){ -reach, -reach }, (Pixel){ reach, reach }, in_plane, 4);
+  uint32_t i;
+
+  for (i = 0; i < n; i++)
+    corners[i] = on_plane (builder, plane, in_plane[i]);
+  return n;
+}
+
+/* Keeps what of a convex polygon lies above a height; below, for @sign -1. */
+static uint32_t
+cut_at (Point3 corners[PATCH_ROOM], uint32_t n, double height, int sign)
+{
+  Point3 kept[PATCH_ROOM];
+  uint32_t i, n_kept = 0;
+
+  for (i = 0; i < n; i++) {
+    const Point3 a = corners[i], b = corners[(i + 1) % n];
+    const double from = sign * (a.z - height), to = sign * (b.z - height);
+
+    if (from >= 0)
+      kept[n_kept++] = a;
+    if ((from >= 0) != (to >= 0)) {
+      const double t = from / (from - to);
+
+      kept[n_kept++]
+          = (Point3){ a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), height };
+    }
+  }
+  memcpy (corners, kept, n_kept * sizeof *kept);
+  return n_kept;
+}
+
 static void
 add_patch (SceneBuilder *builder,
            uint32_t facet,
            const FacetPlane *plane,
-           const Pixel *corners,
-           uint32_t n)
+           const Patch *patch)
 {
   const bool is_lower = why_facing (builder->frame, facet) == FACING_LOWER;
+  Point3 corners[PATCH_ROOM];
+  uint32_t n = find_corners (builder, plane, patch, corners);
   uint32_t i;
 
+  n = cut_at (corners, n, patch->floor, 1);
+  n = cut_at (corners, n, patch->ceiling, -1);
+  if (n < 3)
+    return;
   scene_add (builder, SHAPE_POLYGON, ROLE_PLANE, no_object);
-  for (i = 0; i < n; i++) {
-    /* Its outside is that of the facet: below, or above. */
-    const uint32_t k = is_lower ? n - 1 - i : i;
-    const uint32_t next = is_lower ? (k + n - 1) % n : (k + 1) % n;
-    const Point3 a = on_plane (builder, plane, corners[k]);
-    const Point3 b = on_plane (builder, plane, corners[next]);
-
-    if (a.z >= 0)
-      scene_add_point (builder, a);
-    if ((a.z >= 0) != (b.z >= 0)) {
-      const double t = a.z / (a.z - b.z);
-
-      scene_add_point (
-          builder, (Point3){ a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 0 });
-    }
-  }
-  if (builder->scene->items[builder->scene->n_items - 1].n < 3)
-    scene_drop_item (builder);
+  /* Its outside is that of the facet: below, or above. */
+  for (i = 0; i < n; i++)
+    scene_add_point (builder, corners[is_lower ? n - 1 - i : i]);
 }
 
 /* The line of a vertical facet's hull edge, cut off at the ground's border. */
@@ -166,12 +240,9 @@ add_parabola (SceneBuilder *builder, uint32_t facet, bool lifted)
 void
 scene_add_why_plane (SceneBuilder *builder)
 {
-  const Pixel low = { -CAMERA_GROUND, -CAMERA_GROUND };
-  const Pixel high = { CAMERA_GROUND, CAMERA_GROUND };
   const Why why = find_why (builder);
   FacetPlane plane;
-  Pixel corners[8];
-  double r;
+  Patch patch;
 
   if (why.facet == INDEX_NONE)
     return;
@@ -180,15 +251,10 @@ scene_add_why_plane (SceneBuilder *builder)
     return;
   }
   plane = plane_of (builder, why.facet);
-  r = MARGIN * plane.radius;
-  if (!isfinite (r))
+  if (!isfinite (plane.radius))
     return;
-  corners[0] = (Pixel){ plane.centre.x - r, plane.centre.y - r };
-  corners[1] = (Pixel){ plane.centre.x + r, plane.centre.y - r };
-  corners[2] = (Pixel){ plane.centre.x + r, plane.centre.y + r };
-  corners[3] = (Pixel){ plane.centre.x - r, plane.centre.y + r };
-  add_patch (builder, why.facet, &plane, corners,
-             clip_polygon_to_rectangle (low, high, corners, 4));
+  patch = find_patch (builder, why, &plane);
+  add_patch (builder, why.facet, &plane, &patch);
 }
 
 /* In the plane: the square on this segment is the power. From outside it
@@ -252,8 +318,6 @@ is_corner (const uint32_t corner[3], uint32_t site)
 void
 scene_add_why (SceneBuilder *builder, bool lifted)
 {
-  const Point3 box[2] = { { -CAMERA_GROUND, -CAMERA_GROUND, 0 },
-                          { CAMERA_GROUND, CAMERA_GROUND, 0 } };
   const Why why = find_why (builder);
 
   if (why.facet == INDEX_NONE)
@@ -263,8 +327,7 @@ scene_add_why (SceneBuilder *builder, bool lifted)
     return;
   }
   if (lifted)
-    scene_add_circle (builder, ROLE_ELLIPSE, no_object,
-                      scene_facet_sites (builder, why.facet), box, true);
+    scene_add_ellipse (builder, scene_facet_sites (builder, why.facet));
   if (why.site != INDEX_NONE
       && !is_corner (scene_facet_sites (builder, why.facet), why.site))
     add_gap (builder, why, lifted);

@@ -127,9 +127,11 @@ typedef enum Role {
   ROLE_SITE_IGNORED, /* inside a hull in the plane */
   ROLE_POWER,        /* no mark: the power beside a gap, as a number */
   ROLE_FACET_NAME,   /* no mark: the label of a facet in its middle */
+  ROLE_ANSWER_NAME,  /* no mark: that of a facet that is an answer, and how
+                        right it is */
 } Role;
 
-#define N_ROLES (ROLE_FACET_NAME + 1)
+#define N_ROLES (ROLE_ANSWER_NAME + 1)
 
 const char *role_name (Role role); /* "lower", "horizon", "voronoi-edge" … */
 bool role_parse (const char *name, Role *role);

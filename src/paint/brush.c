@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#define FINE_STEP 0.375 /* whole pixels of the usual 8 */
 #define TURN 6.28318530717958647692
 
 void
@@ -76,6 +77,10 @@ brush_hatch_directions (const Style *style,
   case HATCH_CLOSE:
     directions[0] = upright;
     directions[0].step /= 2;
+    return 1;
+  case HATCH_FINE:
+    directions[0] = level;
+    directions[0].step *= FINE_STEP;
     return 1;
   case HATCH_CROSSED:
     directions[1] = falling;
@@ -268,8 +273,9 @@ stroke_circle (cairo_t *cr, Pixel at, double radius, const Style *style)
   cairo_stroke (cr);
 }
 
+/* A site may lie under it: its casing is no more than an outline. */
 static void
-paint_diamond (cairo_t *cr, const Style *style, Pixel at)
+paint_diamond (cairo_t *cr, const Style *style, const Theme *theme, Pixel at)
 {
   const double r = style->radius;
 
@@ -278,9 +284,14 @@ paint_diamond (cairo_t *cr, const Style *style, Pixel at)
   cairo_line_to (cr, at.x, at.y + r);
   cairo_line_to (cr, at.x - r, at.y);
   cairo_close_path (cr);
+  cairo_set_dash (cr, NULL, 0, 0);
+  if (style->casing > 0) {
+    cairo_set_line_width (cr, style->width + 2 * style->casing);
+    brush_colour (cr, theme->background);
+    cairo_stroke_preserve (cr);
+  }
   brush_colour (cr, style->fill);
   cairo_fill_preserve (cr);
-  cairo_set_dash (cr, NULL, 0, 0);
   cairo_set_line_width (cr, style->width);
   brush_colour (cr, style->line);
   cairo_stroke (cr);
@@ -324,7 +335,7 @@ brush_mark (cairo_t *cr, const Style *style, const Theme *theme, Pixel at)
 
   if (style->halo.alpha > 0)
     fill_circle (cr, at, edge, style->halo);
-  if (style->casing > 0)
+  if (style->casing > 0 && style->mark != MARK_DIAMOND)
     fill_circle (cr, at, edge - (style->halo.alpha > 0 ? style->halo_width : 0),
                  theme->background);
   switch (style->mark) {
@@ -343,7 +354,7 @@ brush_mark (cairo_t *cr, const Style *style, const Theme *theme, Pixel at)
     stroke_circle (cr, at, style->radius, style);
     break;
   case MARK_DIAMOND:
-    paint_diamond (cr, style, at);
+    paint_diamond (cr, style, theme, at);
     break;
   case MARK_CROSSED:
     paint_cross (cr, style, at);

@@ -75,17 +75,14 @@ takes_text (cairo_t *cr)
 static void
 paint_name (cairo_t *cr, const Drawing *drawing, const PlacedName *placed)
 {
-  names_trace (drawing->names, placed->name, cr, placed->at);
-  cairo_set_dash (cr, NULL, 0, 0);
-  cairo_set_line_width (cr, NAME_CASING);
   brush_colour (cr, drawing->theme->background);
-  cairo_stroke_preserve (cr);
+  names_paint_casing (drawing->names, placed->name, cr, placed->at);
   brush_colour (cr, placed->colour);
   if (!takes_text (cr)) {
+    names_trace (drawing->names, placed->name, cr, placed->at);
     cairo_fill (cr);
     return;
   }
-  cairo_new_path (cr);
   names_show (drawing->names, placed->name, cr, placed->at);
 }
 

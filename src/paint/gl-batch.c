@@ -241,6 +241,7 @@ stroke_disc (GlBatch *batch, Pixel at, double radius, const Style *style)
                  style->line);
 }
 
+/* A site may lie under it: its casing is no more than an outline. */
 static void
 add_diamond (GlBatch *batch, const Style *style, Pixel at)
 {
@@ -252,7 +253,12 @@ add_diamond (GlBatch *batch, const Style *style, Pixel at)
   const GlLine outline = { .colour = style->line,
                            .width = style->width * batch->scale,
                            .is_closed = true };
+  GlLine casing = outline;
 
+  casing.colour = batch->theme->background;
+  casing.width += 2 * style->casing * batch->scale;
+  if (style->casing > 0)
+    gl_batch_line (batch, &casing, corners, 4);
   gl_batch_fill (batch, corners, 4, style->fill);
   gl_batch_line (batch, &outline, corners, 4);
 }
@@ -284,7 +290,7 @@ add_mark (GlBatch *batch, const Style *style, Pixel at)
 
   if (has_halo)
     fill_disc (batch, at, edge, style->halo);
-  if (style->casing > 0)
+  if (style->casing > 0 && style->mark != MARK_DIAMOND)
     fill_disc (batch, at, edge - (has_halo ? style->halo_width : 0),
                batch->theme->background);
   switch (style->mark) {

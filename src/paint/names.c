@@ -114,9 +114,9 @@ set_text (Names *names, const char *text, NameFace face)
 
   pango_font_description_set_absolute_size (font, names->text_px * factor
                                                       * PANGO_SCALE);
-  if (face == NAME_APEX)
+  if (face == NAME_APEX || face == NAME_ANSWER)
     pango_font_description_set_weight (font, PANGO_WEIGHT_BOLD);
-  if (face == NAME_FACET)
+  if (face == NAME_FACET || face == NAME_ANSWER)
     pango_font_description_set_style (font, PANGO_STYLE_OBLIQUE);
   pango_layout_set_font_description (names->layout, font);
   pango_layout_set_text (names->layout, text, -1);
@@ -181,6 +181,23 @@ names_trace (Names *names, uint32_t number, cairo_t *cr, Pixel at)
 }
 
 void
+names_paint_casing (Names *names, uint32_t number, cairo_t *cr, Pixel at)
+{
+  const Name *name = get_name (names, number);
+
+  cairo_set_dash (cr, NULL, 0, 0);
+  cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_width (cr, NAME_CASING);
+  if (name->face == NAME_ANSWER) {
+    cairo_rectangle (cr, at.x, at.y, name->ink.width, name->ink.height);
+    cairo_fill_preserve (cr);
+  } else {
+    names_trace (names, number, cr, at);
+  }
+  cairo_stroke (cr);
+}
+
+void
 names_show (Names *names, uint32_t number, cairo_t *cr, Pixel at)
 {
   const Name *name = get_name (names, number);
@@ -202,13 +219,12 @@ paint_mask (Names *names, uint32_t number, int which)
 
   cairo_translate (cr, -mask->x, -mask->y);
   cairo_scale (cr, name->scale, name->scale);
-  names_trace (names, number, cr, (Pixel){ 0, 0 });
-  cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
-  cairo_set_line_width (cr, NAME_CASING);
-  if (which == 0)
-    cairo_stroke (cr);
-  else
+  if (which == 0) {
+    names_paint_casing (names, number, cr, (Pixel){ 0, 0 });
+  } else {
+    names_trace (names, number, cr, (Pixel){ 0, 0 });
     cairo_fill (cr);
+  }
   cairo_destroy (cr);
   cairo_surface_flush (surface);
   name->surfaces[which] = surface;

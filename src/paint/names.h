@@ -9,11 +9,13 @@
 
 typedef enum NameFace {
   NAME_PLAIN,
-  NAME_APEX,  /* larger and bold */
-  NAME_FACET, /* oblique */
+  NAME_APEX,   /* larger and bold */
+  NAME_FACET,  /* oblique */
+  NAME_ANSWER, /* oblique and bold, on a plate */
 } NameFace;
 
-/* Width of the stroke round the letters in the colour of the background. */
+/* Width of the stroke round the letters in the colour of the background; a
+ * plate is as large. */
 #define NAME_CASING 4.0
 
 typedef struct Names Names;
@@ -44,6 +46,10 @@ uint32_t names_begin (Names *names, const Theme *theme);
 /* Returns: the number of a name; the same for the same text and face. */
 uint32_t names_find (Names *names, const char *text, NameFace face);
 NameSize names_size (const Names *names, uint32_t name);
+
+/* Paints, in the colour of @cr, what parts a name from all that it lies on: a
+ * casing round its letters, or a plate under them. */
+void names_paint_casing (Names *names, uint32_t name, cairo_t *cr, Pixel at);
 
 /* Adds the outlines of a name to the path of @cr, the upper left corner of
  * its ink at @at. */

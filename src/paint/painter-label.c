@@ -27,11 +27,20 @@ is_important (const SceneItem *item)
   return item->emphasis == EMPHASIS_LOUD || item->role == ROLE_SITE_APEX;
 }
 
+static bool
+is_facet_name (const SceneItem *item)
+{
+  return item->role == ROLE_FACET_NAME || item->role == ROLE_ANSWER_NAME;
+}
+
 static NameFace
 face_of (const SceneItem *item)
 {
   if (item->role == ROLE_SITE_APEX)
     return NAME_APEX;
+  if (item->role == ROLE_ANSWER_NAME
+      || (item->role >= ROLE_ANSWER_CHOSEN && item->role <= ROLE_ANSWER_MISSED))
+    return NAME_ANSWER;
   return item->role == ROLE_FACET_NAME ? NAME_FACET : NAME_PLAIN;
 }
 
@@ -94,7 +103,7 @@ want (Painter *painter, Wanted *wanted, uint32_t number)
   label.height = size.height + 2 * PADDING;
   label.reach = reach_of_mark (painter, item);
   label.is_important = is_important (item);
-  label.is_centred = item->role == ROLE_FACET_NAME;
+  label.is_centred = is_facet_name (item);
   label.is_number = item->role == ROLE_POWER;
   g_array_append_val (wanted->labels, label);
   g_array_append_val (wanted->names, name);
@@ -372,7 +381,7 @@ add_named (Painter *painter, const Drawing *stock, LabelSheet *sheet)
     Pixel at;
 
     if (item->lit == LIT_NONE && item->shape == SHAPE_MARK
-        && item->role != ROLE_FACET_NAME
+        && !is_facet_name (item)
         && clip_point (painter->projection, scene->points[item->first], &at))
       label_sheet_named (sheet, at, reach_of_mark (painter, item));
   }

@@ -93,6 +93,22 @@ painter_shade (const Painter *painter, const SceneItem *item, Colour fill);
 /* Adds strokes of @n items, ascending. */
 void painter_add_items (Painter *painter, const uint32_t *items, uint32_t n);
 
+/* The strokes that follow are of an item; they lie where @anchor is. */
+void painter_take_in_hand (Painter *painter, uint32_t item, uint32_t anchor);
+
+/* Which casings of a layer are there so far: those of the items before @end,
+ * in the order of paint; and of the horizon. */
+typedef struct Casings {
+  uint32_t end;
+  bool has_horizon;
+} Casings;
+
+/* Adds the casings that lie under the line at place @i of the order. */
+void painter_add_casings (Painter *painter,
+                          const PaintOrder *order,
+                          uint32_t i,
+                          Casings *casings);
+
 /* Returns: the number of the item's style in the drawing. */
 uint32_t painter_number_style (Painter *painter, const SceneItem *item);
 

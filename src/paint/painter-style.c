@@ -12,7 +12,7 @@
 
 #define LEAST_RADIUS 1.3 /* of a mark; what is smaller is left out */
 
-#define DASH_LEAST 2.8 /* of the lifts */
+#define DASH_LEAST 1.6 /* of the lifts; below, so many are hardly seen */
 
 static void
 scale_style (Style *style, double size)
@@ -69,10 +69,10 @@ adapt_to_crowd (const Painter *painter, const SceneItem *item, Style *style)
   style->radius *= size;
   if (item->role != ROLE_LIFT || is_loud)
     return;
-  style->line.alpha *= size * size;
+  style->line.alpha *= size;
   /* So many dashes, so short, are a paler line. */
   if (style->dash < DASH_LEAST && style->dash > 0) {
-    style->line.alpha *= style->dash / (style->dash + style->gap);
+    style->line.alpha *= size * style->dash / (style->dash + style->gap);
     style->dash = style->gap = 0;
   }
 }

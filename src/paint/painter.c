@@ -106,44 +106,6 @@ add_polygon (Painter *painter, const SceneItem *item)
   add_corners (painter, item);
 }
 
-/* The strokes that follow are of an item; they lie where @anchor is. */
-static void
-take_in_hand (Painter *painter, uint32_t item, uint32_t anchor)
-{
-  painter->drawing->in_hand.item = item;
-  painter->drawing->in_hand.anchor = anchor;
-}
-
-/* The casings of a chain of lines of one layer come before all its lines, or
- * they would cut them where they meet.
- *
- * Returns: the place after the chain that begins at @first. */
-static uint32_t
-add_casings (Painter *painter, const PaintOrder *order, uint32_t first)
-{
-  const uint32_t end = order->starts[painter->drawing->in_hand.layer + 1];
-  uint32_t i;
-
-  for (i = first; i < end; i++) {
-    const SceneItem *item = &painter->scene->items[order->items[i]];
-    uint32_t style;
-
-    if (item->shape != SHAPE_PATH)
-      break;
-    /* To find a style may move all of them. */
-    style = painter_number_style (painter, item);
-    if (!(painter->drawing->styles[style].casing > 0))
-      break;
-    take_in_hand (painter, order->items[i], order->items[first]);
-    if (painter_draw_again (painter,
-                            painter_key (painter, item, STROKE_CASING)))
-      continue;
-    painter_trace (painter, item, STROKE_CASING, style);
-    painter_note_new (painter);
-  }
-  return i;
-}
-
 static void
 add_path (Painter *painter, const SceneItem *item)
 {
@@ -177,7 +139,8 @@ add_item (Painter *painter, const SceneItem *item)
 static void
 add_layer (Painter *painter, const PaintOrder *order, uint32_t layer)
 {
-  uint32_t i, cased = 0;
+  Casings casings = { 0, false };
+  uint32_t i;
 
   painter->depth = paint_layer_depth (layer);
   painter->drawing->in_hand.layer = layer;
@@ -185,9 +148,9 @@ add_layer (Painter *painter, const PaintOrder *order, uint32_t layer)
     const uint32_t number = order->items[i];
     const SceneItem *item = &painter->scene->items[number];
 
-    if (item->shape == SHAPE_PATH && i >= cased)
-      cased = MAX (add_casings (painter, order, i), i + 1);
-    take_in_hand (painter, number, number);
+    if (item->shape == SHAPE_PATH)
+      painter_add_casings (painter, order, i, &casings);
+    painter_take_in_hand (painter, number, number);
     painter->is_behind = painter_hides (painter, item);
     add_item (painter, item);
     painter->is_behind = false;

@@ -266,18 +266,25 @@ stroke_disc (Hand *hand, Pixel at, double radius, const Style *style)
               style->line);
 }
 
+/* A site may lie under it: its casing is no more than an outline. */
 static void
 paint_diamond (Hand *hand, const Style *style, Pixel at)
 {
   const double r = style->radius * hand->scale;
   const double x = at.x * hand->scale, y = at.y * hand->scale;
   Pixel pixels[5] = { { x, y - r }, { x + r, y }, { x, y + r }, { x - r, y } };
-  const Widening widening
-      = { .width = style->width * hand->scale, .is_closed = true };
+  const double width = style->width * hand->scale;
+  Widening widening
+      = { .width = width + 2 * style->casing * hand->scale, .is_closed = true };
 
+  pixels[4] = pixels[0];
+  if (style->casing > 0) {
+    coverage_line (&hand->coverage, pixels, 5, &widening);
+    fill (hand, hand->theme->background);
+  }
   coverage_polygon (&hand->coverage, pixels, 4);
   fill (hand, style->fill);
-  pixels[4] = pixels[0];
+  widening.width = width;
   coverage_line (&hand->coverage, pixels, 5, &widening);
   fill (hand, style->line);
 }
@@ -308,7 +315,7 @@ paint_mark (Hand *hand, const Style *style, Pixel at)
 
   if (has_halo)
     fill_disc (hand, at, edge, style->halo);
-  if (style->casing > 0)
+  if (style->casing > 0 && style->mark != MARK_DIAMOND)
     fill_disc (hand, at, edge - (has_halo ? style->halo_width : 0),
                hand->theme->background);
   switch (style->mark) {

@@ -65,7 +65,7 @@ set_hatches (Theme *theme)
   hatch (theme, ROLE_VERTICAL, HATCH_CROSSED, 0.7);
   hatch (theme, ROLE_CONE, HATCH_UPRIGHT, 1);
   hatch (theme, ROLE_CONE_UPPER, HATCH_CLOSE, 1);
-  hatch (theme, ROLE_SIGN_LEFT, HATCH_LEVEL, 0.7);
+  hatch (theme, ROLE_SIGN_LEFT, HATCH_FINE, 0.6);
   hatch (theme, ROLE_PREVIEW_STOLEN, HATCH_LEVEL, 0.7);
   theme->styles[ROLE_PREVIEW_STOLEN].line
       = theme->styles[ROLE_PREVIEW_TRIANGLE].line;
@@ -88,6 +88,15 @@ set_areas (Theme *theme)
   set_hatches (theme);
 }
 
+/* The edges of the hull are those of both triangulations: black on black, one
+ * is seen on the other as beads on a string. */
+static void
+set_beads (Theme *theme)
+{
+  theme->styles[ROLE_FURTHEST_EDGE].width = 5.5;
+  dash (theme, ROLE_FURTHEST_EDGE, 0.1, 11);
+}
+
 static void
 set_lines (Theme *theme)
 {
@@ -106,6 +115,7 @@ set_lines (Theme *theme)
   dash (theme, ROLE_VISIBLE_EDGE, 11, 4);
   dash (theme, ROLE_CIRCLE_VISIBLE, 5, 3.5);
   dash (theme, ROLE_CIRCLE_SELECTED, 18, 3);
+  set_beads (theme);
   theme->styles[ROLE_SELECTED_FACET].line = theme_colour (0x707070, 1);
   theme->styles[ROLE_SELECTED_FACET].width = 6;
   theme->styles[ROLE_SELECTED_FACET].casing = 8.5;

@@ -159,9 +159,10 @@ static const Row rows[N_ROLES] = {
       .style = { .width = 1.8, .mark = MARK_RINGED, .radius = 3 } },
   [ROLE_VORONOI_VERTEX_DYING]
   = { .fill = INK_PAPER,
+      .fill_alpha = 0.6,
       .line = INK_VISIBLE,
       .style
-      = { .width = 2, .casing = 1.2, .mark = MARK_DIAMOND, .radius = 6.5 } },
+      = { .width = 2, .casing = 1.2, .mark = MARK_DIAMOND, .radius = 7 } },
   [ROLE_FURTHEST_VERTEX]
   = { .fill = INK_PAPER,
       .line = INK_FURTHEST,
@@ -208,6 +209,7 @@ static const Row rows[N_ROLES] = {
   [ROLE_SITE_IGNORED]
   = { .line = INK_GROUND, .style = { .mark = MARK_DOT, .radius = 4 } },
   [ROLE_FACET_NAME] = { .style = { .mark = MARK_NONE } },
+  [ROLE_ANSWER_NAME] = { .style = { .mark = MARK_NONE } },
 };
 
 Colour

@@ -14,6 +14,7 @@
 #define N_HUES 24
 
 #define PALE_CELL 0.32 /* alpha: its hue is still its site's */
+#define QUIET_WIDTH 0.6
 
 #define BEHIND_RADIUS 0.7
 #define RING_GAP 3.2
@@ -88,21 +89,35 @@ fade (const Theme *theme, Colour line)
   return pale;
 }
 
+/* A pale black would be a grey line, of which no legend tells. The horizon is
+ * told by its ink, and is thinner instead. */
+static bool
+is_told_by_ink (Role role)
+{
+  return role == ROLE_HORIZON || role == ROLE_HORIZON_UPPER;
+}
+
 /* For when a theme is as it should be: what is pale follows. */
 static void
 fade_lines (Theme *theme)
 {
-  for (int role = 0; role < N_ROLES; role++)
-    theme->pale_lines[role] = fade (theme, theme->styles[role].line);
+  int role;
+
+  for (role = 0; role < N_ROLES; role++)
+    theme->pale_lines[role] = is_told_by_ink ((Role)role)
+                                  ? theme->styles[role].line
+                                  : fade (theme, theme->styles[role].line);
 }
 
 static void
 make_pale (const Theme *theme, Role role, Style *style)
 {
+  const double width = is_told_by_ink (role) ? QUIET_WIDTH : theme->pale_width;
+
   style->line = theme->pale_lines[role];
   style->fill.alpha *= theme_has_hue (role) ? PALE_CELL : theme->pale_fill;
-  style->width *= theme->pale_width;
-  style->casing *= theme->pale_width;
+  style->width *= width;
+  style->casing *= width;
   style->hatch_width *= theme->pale_width;
 }
 

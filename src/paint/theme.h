@@ -24,6 +24,7 @@ typedef enum Hatch {
   HATCH_LEVEL,
   HATCH_UPRIGHT,
   HATCH_CLOSE, /* upright, twice as close */
+  HATCH_FINE,  /* level, so close that it is a tint */
 } Hatch;
 
 typedef enum MarkShape {
