@@ -10,7 +10,7 @@
 
 G_BEGIN_DECLS
 
-/* Returns: (transfer full): Pango markup of @sentence, a narration in
+/* Returns: (transfer full): Pango markup of @sentence, a narration in which
  *          @apex is the current site, to be read on @background. */
 char *narration_to_markup (const char *sentence,
                            guint apex,

@@ -33,8 +33,7 @@ OrderList order_list (const Order *order, const Site *sites, uint32_t n_sites);
 /* Returns: "furthest", "input", "random", "seeded", "hilbert". */
 const char *order_kind_name (OrderKind kind);
 
-/* Returns: whether @name is an order's name ;
- *          sets *@kind. */
+/* Returns: whether @name is an order's name; sets *@kind. */
 bool order_kind_parse (const char *name, OrderKind *kind);
 
 /* A random number generator that is the same everywhere.

@@ -2,17 +2,21 @@
  * event a line. Reading a file back gives the same trace, event by event.
  *
  *   hull2vd-trace 1
- *   order furthest
- *   site 0 -0.6 -0.5
+ *   order furthest        or: order random 7
+ *   site 0 -0.6 -0.5      number, x, y
  *   …
- *   simplex f0 s0 s2 s1
- *   claim s4 f0
- *   select f0 s4
- *   visible f0 s4
- *   horizon s0 s2 f1
- *   cone f4 s0 s2 s4
- *   retire f0
+ *   duplicate s5          site
+ *   simplex f0 s0 s2 s1   facet, its three sites
+ *   claim s4 f0           site, facet
+ *   select f0 s4          facet, site
+ *   visible f0 s4         facet, site
+ *   horizon s0 s2 f1      tail, head, the facet beyond
+ *   cone f4 s0 s2 s4      facet, its three sites, the apex last
+ *   retire f0             facet
+ *   flat                  instead of simplex and all rounds
  *   complete
+ *
+ * What an event means, and in which order they come: event.h.
  */
 #ifndef TRACE_FILE_H
 #define TRACE_FILE_H

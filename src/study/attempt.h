@@ -42,9 +42,11 @@ typedef struct Answer {
   guint n_sites;
 } Answer;
 
-/* Shape: at @occasion, which question_locate() has found. Of drags and
- *        "always" it searches, among the sets of sites that a person can
- *        reach and among those of all families: some milliseconds. */
+/* What is right at @occasion, which question_locate() has found.
+ *
+ * Cost: of drags and "always" it searches, among the sets of sites that a
+ *       person can reach and among those of all families: some
+ *       milliseconds. */
 Answer *answer_new (const Question *question, const Occasion *occasion);
 void answer_free (Answer *answer);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (Answer, answer_free)
