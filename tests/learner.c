@@ -18,7 +18,8 @@ learner_open (const char *text, Progress *progress)
 {
   Session *session = session_new ();
   g_autoptr (GError) error = NULL;
-  g_autofree char *path = learner_file ("l.md");
+  g_autofree char *path
+      = folder == NULL ? g_strdup ("l.md") : learner_file ("l.md");
   Lesson *lesson = lesson_parse (text, strlen (text), path, &error);
 
   g_assert_no_error (error);

@@ -1,6 +1,6 @@
 /* A performance in a session: what is shown of it, and the way through. */
 #include "action.h"
-#include "lesson-text.h"
+#include "learner.h"
 #include "progress.h"
 
 #include <string.h>
@@ -14,25 +14,10 @@ static const char lesson_text[]
 static Session *
 begin (void)
 {
-  Session *session = session_new ();
-  g_autoptr (GError) error = NULL;
-  Lesson *lesson
-      = lesson_parse (lesson_text, strlen (lesson_text), "l.md", &error);
+  Session *session = learner_open (lesson_text, NULL);
 
-  g_assert_no_error (error);
-  session_set_lesson (session, lesson);
-  lesson_unref (lesson);
   session_set_stop (session, 1);
   return session;
-}
-
-static void
-act (Session *session, const char *name, GVariant *parameter)
-{
-  g_autoptr (GError) error = NULL;
-
-  action_run (session, name, parameter, &error);
-  g_assert_no_error (error);
 }
 
 static void
@@ -50,7 +35,7 @@ score_of (Session *session)
   return performance_score (session_get_performance (session));
 }
 
-/* Answers the task in hand as the engine would. */
+/* Answers the current task as the engine would. */
 static void
 answer (Session *session)
 {
@@ -61,7 +46,7 @@ answer (Session *session)
   for (guint i = 0; i < (right->is_any ? 1 : right->objects->len); i++)
     g_assert_true (session_answer_toggle (
         session, g_array_index (right->objects, Object, i)));
-  act (session, "check", NULL);
+  learner_act (session, "check", NULL);
 }
 
 static void
@@ -72,7 +57,7 @@ perform_all (Session *session)
     if (session_get_exercise (session)->is_open)
       answer (session);
     else
-      act (session, "continue", NULL);
+      learner_act (session, "continue", NULL);
   }
 }
 
@@ -90,7 +75,7 @@ test_a_stop_is_performed_task_by_task (void)
   for (guint i = 0; i < G_N_ELEMENTS (tasks); i++) {
     assert_text (session, "task", tasks[i]);
     answer (session);
-    act (session, "continue", NULL);
+    learner_act (session, "continue", NULL);
   }
   perform_all (session);
   assert_text (session, "performance", "over");
@@ -98,7 +83,7 @@ test_a_stop_is_performed_task_by_task (void)
   g_assert_true (session_get_exercise_of (session, 1)->verdict->is_right);
 }
 
-/* Whatever is tried, no step beyond the task in hand is shown, and what it
+/* Whatever is tried, no step beyond the current task is shown, and what it
  * asks about is masked. */
 static void
 test_nothing_beyond_the_task_is_shown (void)
@@ -119,12 +104,12 @@ test_nothing_beyond_the_task_is_shown (void)
     }
     session_set_step (session, session_get_n_steps (session));
     g_assert_cmpuint (session_get_step (session), ==, step);
-    act (session, "goto", g_variant_new_string ("complete"));
+    learner_act (session, "goto", g_variant_new_string ("complete"));
     g_assert_cmpuint (session_get_step (session), ==, step);
     if (exercise->is_open)
       answer (session);
     else
-      act (session, "continue", NULL);
+      learner_act (session, "continue", NULL);
   }
 }
 
@@ -150,7 +135,7 @@ test_the_task_stays_while_one_looks_around (void)
   g_autoptr (Session) session = begin ();
 
   for (guint i = 0; i < 12; i++)
-    act (session, i % 2 == 0 ? "show-answer" : "continue", NULL);
+    learner_act (session, i % 2 == 0 ? "show-answer" : "continue", NULL);
   assert_text (session, "task", "round 1 see");
   session_set_step (session, 0);
   g_assert_false (session_is_asking (session));
@@ -170,11 +155,11 @@ test_what_is_left_can_be_given_up (void)
   guint total;
 
   answer (session);
-  act (session, "grade", NULL);
+  learner_act (session, "grade", NULL);
   assert_text (session, "performance", "over");
   total = score_of (session).total;
   g_assert_cmpuint (score_of (session).correct, ==, 1);
-  act (session, "retry", NULL);
+  learner_act (session, "retry", NULL);
   assert_text (session, "performance", "open");
   perform_all (session);
   g_assert_cmpuint (score_of (session).total, ==, total);
@@ -188,18 +173,18 @@ test_browsing_shows_each_task_with_its_answer (void)
   const Performance *performance = session_get_performance (session);
   guint n = 0;
 
-  act (session, "grade", NULL);
+  learner_act (session, "grade", NULL);
   while (session_can_browse (session, FALSE)) {
     const Exercise *exercise = session_get_exercise (session);
 
     g_assert_cmpuint (session_get_step (session), ==,
                       exercise->occasion.reveal);
     g_assert_cmpuint (session_get_look (session)->n_answers, >, 0);
-    act (session, "previous-task", NULL);
+    learner_act (session, "previous-task", NULL);
     n += 1;
   }
   g_assert_cmpuint (n, ==, performance->tasks->len - 1);
-  act (session, "next-task", NULL);
+  learner_act (session, "next-task", NULL);
   assert_text (session, "task", "partition s5");
 }
 
@@ -213,10 +198,10 @@ test_fresh_sites_follow_the_grading (void)
   g_autofree char *sites = NULL;
 
   g_assert_false (session_can_another (one));
-  act (one, "grade", NULL);
-  act (other, "grade", NULL);
-  act (one, "another", NULL);
-  act (other, "another", NULL);
+  learner_act (one, "grade", NULL);
+  learner_act (other, "grade", NULL);
+  learner_act (one, "another", NULL);
+  learner_act (other, "another", NULL);
   g_assert_cmpuint (session_get_set (one)->n_sites, ==, 7);
   g_assert_cmpmem (session_get_set (one)->sites, 7 * sizeof (Site),
                    session_get_set (other)->sites, 7 * sizeof (Site));
@@ -243,7 +228,7 @@ test_a_performance_goes_on_where_it_was_left (void)
     g_autofree char *task = NULL, *task_again = NULL;
 
     if (i % 5 == 2)
-      act (session, "show-answer", NULL);
+      learner_act (session, "show-answer", NULL);
     else
       answer (session);
     question_record_take (&record, whole);
@@ -256,7 +241,7 @@ test_a_performance_goes_on_where_it_was_left (void)
                       score_of (session).correct);
     g_assert_cmpint (again->is_open, ==, whole->is_open);
     if (!whole->performance->is_over)
-      act (session, "continue", NULL);
+      learner_act (session, "continue", NULL);
     task = task_text (performance_task (whole->performance));
     task_again = task_text (performance_task (again->performance));
     g_assert_cmpstr (task, ==, task_again);
@@ -277,16 +262,16 @@ test_any_sites_can_be_performed_on (void)
   g_assert_false (
       action_run (session, "perform", g_variant_new_string (""), &error));
   g_assert_nonnull (strstr (error->message, "add sites, at least five"));
-  act (session, "sites", g_variant_new_string ("random 6 seed 1"));
-  act (session, "order", g_variant_new_string ("input"));
-  act (session, "perform", g_variant_new_string (""));
+  learner_act (session, "sites", g_variant_new_string ("random 6 seed 1"));
+  learner_act (session, "order", g_variant_new_string ("input"));
+  learner_act (session, "perform", g_variant_new_string (""));
   perform_all (session);
   assert_text (session, "performance", "over");
-  act (session, "end-performance", NULL);
+  learner_act (session, "end-performance", NULL);
   assert_text (session, "performance", "none");
-  act (session, "perform", g_variant_new_string ("random 7 seed 4"));
+  learner_act (session, "perform", g_variant_new_string ("random 7 seed 4"));
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 7);
-  act (session, "undo", NULL);
+  learner_act (session, "undo", NULL);
   assert_text (session, "performance", "none");
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 6);
 }
@@ -316,8 +301,8 @@ test_an_edit_ends_a_performance_on_own_sites (void)
 {
   g_autoptr (Session) session = session_new ();
 
-  act (session, "perform", g_variant_new_string ("random 7 seed 4"));
-  act (session, "add-site", g_variant_new ("(dd)", 0.3, 0.1));
+  learner_act (session, "perform", g_variant_new_string ("random 7 seed 4"));
+  learner_act (session, "add-site", g_variant_new ("(dd)", 0.3, 0.1));
   assert_text (session, "performance", "none");
   g_assert_null (session_get_exercise (session));
 }
@@ -337,7 +322,7 @@ begin_with_own_sites (guint stop)
   Session *session = begin ();
 
   session_set_stop (session, stop);
-  act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
+  learner_act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
   assert_own (session);
   return session;
 }
@@ -350,7 +335,7 @@ undo (Session *session, const char *what)
 
   g_assert_nonnull (label);
   g_assert_nonnull (strstr (label, what));
-  act (session, "undo", NULL);
+  learner_act (session, "undo", NULL);
 }
 
 static void
@@ -358,7 +343,7 @@ test_own_sites_outlast_a_performance_on_them (void)
 {
   g_autoptr (Session) session = begin_with_own_sites (0);
 
-  act (session, "perform", g_variant_new_string (""));
+  learner_act (session, "perform", g_variant_new_string (""));
   assert_own (session);
   perform_all (session);
   session_set_stop (session, 2);
@@ -374,9 +359,9 @@ test_own_sites_outlast_leaving_a_performance (void)
 {
   g_autoptr (Session) session = begin_with_own_sites (0);
 
-  act (session, "perform", g_variant_new_string (""));
+  learner_act (session, "perform", g_variant_new_string (""));
   answer (session);
-  act (session, "end-performance", NULL);
+  learner_act (session, "end-performance", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
   undo (session, "return to the lesson’s sites");
   assert_own (session);
@@ -387,19 +372,19 @@ test_own_sites_outlast_fresh_ones (void)
 {
   g_autoptr (Session) session = begin_with_own_sites (0);
 
-  act (session, "perform", g_variant_new_string (""));
-  act (session, "grade", NULL);
-  act (session, "another", NULL);
+  learner_act (session, "perform", g_variant_new_string (""));
+  learner_act (session, "grade", NULL);
+  learner_act (session, "another", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, !=, 9);
-  act (session, "grade", NULL);
-  act (session, "another", NULL);
+  learner_act (session, "grade", NULL);
+  learner_act (session, "another", NULL);
   undo (session, "generating sites");
   assert_own (session);
   assert_text (session, "performance", "none");
   undo (session, "adding s8");
 
-  act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
-  act (session, "perform", g_variant_new_string ("random 7 seed 4"));
+  learner_act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
+  learner_act (session, "perform", g_variant_new_string ("random 7 seed 4"));
   undo (session, "generating sites");
   assert_own (session);
 }
@@ -410,11 +395,11 @@ test_own_sites_outlast_the_performance_of_the_stop (void)
 {
   g_autoptr (Session) session = begin_with_own_sites (1);
 
-  act (session, "grade", NULL);
+  learner_act (session, "grade", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
   undo (session, "return to the lesson’s sites");
   assert_own (session);
-  act (session, "another", NULL);
+  learner_act (session, "another", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 7);
   undo (session, "generating sites");
   assert_own (session);
@@ -425,13 +410,13 @@ test_sites_of_the_lesson_are_nothing_to_undo (void)
 {
   g_autoptr (Session) session = begin ();
 
-  act (session, "grade", NULL);
-  act (session, "another", NULL);
-  act (session, "grade", NULL);
-  act (session, "another", NULL);
+  learner_act (session, "grade", NULL);
+  learner_act (session, "another", NULL);
+  learner_act (session, "grade", NULL);
+  learner_act (session, "another", NULL);
   session_set_stop (session, 0);
-  act (session, "order", g_variant_new_string ("input"));
-  act (session, "perform", g_variant_new_string (""));
+  learner_act (session, "order", g_variant_new_string ("input"));
+  learner_act (session, "perform", g_variant_new_string (""));
   answer (session);
   session_set_stop (session, 2);
   g_assert_null (session_get_undo_label (session));

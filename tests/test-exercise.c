@@ -3,7 +3,7 @@
 #include "action.h"
 #include "attempt.h"
 #include "laws.h"
-#include "lesson-text.h"
+#include "learner.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,30 +20,13 @@ static const char lesson_text[]
 static Session *
 begin (void)
 {
-  Session *session = session_new ();
-  g_autoptr (GError) error = NULL;
-  Lesson *lesson
-      = lesson_parse (lesson_text, strlen (lesson_text), "l.md", &error);
-
-  g_assert_no_error (error);
-  session_set_lesson (session, lesson);
-  lesson_unref (lesson);
-  return session;
-}
-
-static void
-act (Session *session, const char *name, GVariant *parameter)
-{
-  g_autoptr (GError) error = NULL;
-
-  action_run (session, name, parameter, &error);
-  g_assert_no_error (error);
+  return learner_open (lesson_text, NULL);
 }
 
 static void
 toggle (Session *session, const char *object)
 {
-  act (session, "answer-toggle", g_variant_new_string (object));
+  learner_act (session, "answer-toggle", g_variant_new_string (object));
 }
 
 static void
@@ -119,13 +102,13 @@ test_a_right_answer_goes_on_to_what_it_shows (void)
   toggle (session, "f2");
   toggle (session, "f1");
   g_assert_cmpuint (session_get_look (session)->n_answers, ==, 2);
-  act (session, "check", NULL);
+  learner_act (session, "check", NULL);
   assert_state (session, "right");
   g_assert_false (session_is_asking (session));
   g_assert_cmpuint (session_get_look (session)->mask, ==, 0);
   g_assert_cmpint (session_get_place (session).phase, ==, PHASE_SEE);
   g_assert_true (session_get_look (session)->layers & LAYER_CIRCLES);
-  act (session, "continue", NULL);
+  learner_act (session, "continue", NULL);
   g_assert_cmpuint (session_get_stop (session), ==, 1);
   /* Back, the end of the stop is shown, not its question. */
   session_set_stop (session, 0);
@@ -140,21 +123,21 @@ test_a_wrong_answer_has_its_retries (void)
   const Exercise *exercise = session_get_exercise (session);
 
   toggle (session, "f2");
-  act (session, "check", NULL);
+  learner_act (session, "check", NULL);
   assert_state (session, "wrong");
   g_assert_true (session_is_asking (session));
   g_assert_cmpuint (exercise->verdict->wrong, ==, 1);
   g_assert_cmpint (session_get_look (session)->answers[0].kind, ==,
                    ANSWER_WRONG);
   g_assert_cmpuint (session_get_look (session)->n_answers, ==, 1);
-  act (session, "answer-undo", NULL);
+  learner_act (session, "answer-undo", NULL);
   assert_state (session, "open");
   toggle (session, "f0");
-  act (session, "check", NULL);
+  learner_act (session, "check", NULL);
   assert_state (session, "shown");
   g_assert_cmpuint (exercise->verdict->missing, ==, 1);
   g_assert_false (exercise->was_right_at_once);
-  act (session, "retry", NULL);
+  learner_act (session, "retry", NULL);
   assert_state (session, "open");
   g_assert_true (session_is_asking (session));
 }
@@ -165,8 +148,8 @@ test_hints_come_one_after_the_other (void)
   g_autoptr (Session) session = begin ();
 
   g_assert_cmpuint (session_get_exercise (session)->n_hints, ==, 0);
-  act (session, "hint", NULL);
-  act (session, "hint", NULL);
+  learner_act (session, "hint", NULL);
+  learner_act (session, "hint", NULL);
   g_assert_cmpuint (session_get_exercise (session)->n_hints, ==, 2);
   g_assert_false (action_run (session, "hint", NULL, NULL));
 }
@@ -180,7 +163,7 @@ test_no_question_holds_a_class_up (void)
 
   for (guint i = 0; i < G_N_ELEMENTS (stops); i++) {
     g_assert_true (session_can_next (session));
-    act (session, "next", NULL);
+    learner_act (session, "next", NULL);
     g_assert_cmpuint (session_get_stop (session), ==, stops[i]);
   }
   assert_state (session, "shown");
@@ -192,12 +175,12 @@ test_stepping_past_the_event_shows_the_answer (void)
 {
   g_autoptr (Session) session = begin ();
 
-  act (session, "back-event", NULL);
+  learner_act (session, "back-event", NULL);
   assert_state (session, "open");
   g_assert_false (session_is_asking (session));
-  act (session, "next-event", NULL);
+  learner_act (session, "next-event", NULL);
   g_assert_true (session_is_asking (session));
-  act (session, "next-event", NULL);
+  learner_act (session, "next-event", NULL);
   assert_state (session, "shown");
 }
 
@@ -207,9 +190,9 @@ test_numbers_are_answered_by_their_place (void)
   g_autoptr (Session) session = begin ();
 
   session_set_stop (session, 2);
-  act (session, "answer-number", g_variant_new ("(uu)", 1, 1));
-  act (session, "answer-number", g_variant_new ("(uu)", 2, 3));
-  act (session, "check", NULL);
+  learner_act (session, "answer-number", g_variant_new ("(uu)", 1, 1));
+  learner_act (session, "answer-number", g_variant_new ("(uu)", 2, 3));
+  learner_act (session, "check", NULL);
   assert_state (session, "right");
 }
 
@@ -301,7 +284,7 @@ test_a_place_that_is_shown_lies_in_the_picture (void)
 
   g_assert_nonnull (lesson);
   session_set_lesson (session, lesson);
-  act (session, "show-answer", NULL);
+  learner_act (session, "show-answer", NULL);
   for (guint i = 0; i < 4; i++) {
     const Site site = session_get_set (session)->sites[i];
 
@@ -348,16 +331,16 @@ test_another_is_about_other_sites (void)
   g_autoptr (Session) session = begin ();
   const Trace *lessons = session_get_trace (session);
 
-  act (session, "show-answer", NULL);
+  learner_act (session, "show-answer", NULL);
   for (guint i = 0; i < 5; i++) {
-    act (session, "another", NULL);
+    learner_act (session, "another", NULL);
     g_assert_true (session_get_trace (session) != lessons);
     assert_state (session, "open");
     g_assert_true (session_is_asking (session));
-    act (session, "show-answer", NULL);
+    learner_act (session, "show-answer", NULL);
     assert_state (session, "shown");
   }
-  act (session, "continue", NULL);
+  learner_act (session, "continue", NULL);
   g_assert_cmpuint (session_get_stop (session), ==, 1);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 8);
 }
@@ -368,14 +351,14 @@ test_another_on_own_sites_can_be_undone (void)
 {
   g_autoptr (Session) session = begin ();
 
-  act (session, "show-answer", NULL);
-  act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
-  act (session, "another", NULL);
-  act (session, "show-answer", NULL);
-  act (session, "another", NULL);
+  learner_act (session, "show-answer", NULL);
+  learner_act (session, "add-site", g_variant_new ("(dd)", 0.3125, 0.0625));
+  learner_act (session, "another", NULL);
+  learner_act (session, "show-answer", NULL);
+  learner_act (session, "another", NULL);
   g_assert_cmpstr (session_get_undo_label (session), ==,
                    "Undo generating sites");
-  act (session, "undo", NULL);
+  learner_act (session, "undo", NULL);
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, 9);
 }
 
@@ -429,7 +412,7 @@ test_its_sites_stay_while_it_asks (void)
   g_autoptr (GError) first = NULL;
 
   g_assert_false (session_can_edit (session, &first));
-  act (session, "select", g_variant_new_string ("s2"));
+  learner_act (session, "select", g_variant_new_string ("s2"));
   for (guint i = 0; i < G_N_ELEMENTS (edits); i++) {
     g_autoptr (GError) error = NULL;
     GVariant *parameter
@@ -440,8 +423,8 @@ test_its_sites_stay_while_it_asks (void)
   }
   assert_state (session, "open");
   g_assert_cmpuint (session_get_set (session)->n_sites, ==, n_sites);
-  act (session, "show-answer", NULL);
-  act (session, "remove-site", g_variant_new_uint32 (0));
+  learner_act (session, "show-answer", NULL);
+  learner_act (session, "remove-site", g_variant_new_uint32 (0));
 }
 
 static const struct {

@@ -3,7 +3,7 @@
 #include "anything.h"
 #include "command.h"
 #include "fixture.h"
-#include "lesson-text.h"
+#include "learner.h"
 #include "same-session.h"
 #include "session-record.h"
 
@@ -37,18 +37,9 @@ open_lesson (const char *text)
 }
 
 static void
-act (Session *session, const char *name, GVariant *parameter)
-{
-  g_autoptr (GError) error = NULL;
-
-  action_run (session, name, parameter, &error);
-  g_assert_no_error (error);
-}
-
-static void
 say (Session *session, const char *name, const char *word)
 {
-  act (session, name, g_variant_new_string (word));
+  learner_act (session, name, g_variant_new_string (word));
 }
 
 /* Pastes a record behind a stop, and goes to its end. */
@@ -113,7 +104,7 @@ test_what_is_done_becomes_verbs (void)
   say (session, "show", "circumcircles");
   say (session, "focus", "horizon");
   say (session, "select", "s4");
-  act (session, "lift", g_variant_new_double (0.5));
+  learner_act (session, "lift", g_variant_new_double (0.5));
   say (session, "camera", "look-up");
   say (session, "theme", "projector");
   assert_lines (record,
@@ -155,8 +146,8 @@ test_a_step_after_something_else_begins_a_stop (void)
   g_autoptr (SessionRecord) record = session_record_new (session);
 
   session_set_step_size (session, STEP_EVENT);
-  act (session, "next", NULL);
-  act (session, "next", NULL);
+  learner_act (session, "next", NULL);
+  learner_act (session, "next", NULL);
   say (session, "show", "circumcircles");
   say (session, "goto", "round 1 cone");
   say (session, "goto", "round 2 see");
