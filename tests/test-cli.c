@@ -79,6 +79,7 @@ static const Row refusals[] = {
     "hull2vd-cli: use only" },
   { "actions x", 64, "hull2vd-cli: actions: too many files" },
   { "dance", 64, "hull2vd-cli: there is no command “dance”\nusage: " },
+  { "comput", 64, "hull2vd-cli: there is no command “comput” (did you mean" },
   { "", 64, "hull2vd-cli: no command is given\nusage: " },
   { "compute none.txt", 66, "none.txt: No such file or directory\n" },
   { "compute .", 66, ".: Is a directory\n" },

@@ -30,8 +30,11 @@ cli_say (const char *format, ...)
 static void
 print_usage (const CliCommand *command)
 {
-  fprintf (stderr, _ ("usage: hull2vd-cli %s [OPTION…] %s\n"), command->name,
-           command->arguments);
+  g_autofree char *line
+      = g_strdup_printf (_ ("usage: hull2vd-cli %s [OPTION…] %s\n"),
+                         command->name, command->arguments);
+
+  fprintf (stderr, "%s\n", g_strchomp (line));
 }
 
 CliStatus

@@ -2,10 +2,10 @@
 #include "cli.h"
 #include "config.h"
 #include "locate.h"
+#include "words.h"
 
 #include <glib/gi18n.h>
 #include <locale.h>
-#include <string.h>
 
 static const CliCommand commands[] = {
   { "compute", "POINTS",
@@ -21,7 +21,7 @@ static const CliCommand commands[] = {
     cli_lint },
   { "export", "POINTS|LESSON", N_ ("Write a picture: SVG, PDF or PNG"),
     cli_export },
-  { "storyboard", "LESSON", N_ ("Write the stops of a lesson as PDF"),
+  { "storyboard", "POINTS|LESSON", N_ ("Write the stops of a lesson as PDF"),
     cli_storyboard },
   { "handout", "LESSON", N_ ("Write a handout of a lesson as PDF"),
     cli_handout },
@@ -74,10 +74,19 @@ print_version (void)
 static CliStatus
 refuse_command (const char *name)
 {
-  if (name == NULL)
+  const char *names[G_N_ELEMENTS (commands) + 1] = { NULL };
+  g_autofree char *reason = NULL, *hint = NULL;
+
+  if (name == NULL) {
     cli_say ("%s", _ ("hull2vd-cli: no command is given"));
-  else
-    cli_say (_ ("hull2vd-cli: there is no command “%s”"), name);
+  } else {
+    for (guint i = 0; i < G_N_ELEMENTS (commands); i++)
+      names[i] = commands[i].name;
+    reason
+        = g_strdup_printf (_ ("hull2vd-cli: there is no command “%s”"), name);
+    hint = words_hint (name, names);
+    cli_say ("%s%s", reason, hint);
+  }
   print_usage (stderr);
   return CLI_USAGE;
 }
@@ -93,7 +102,8 @@ main (int argc, char **argv)
 
   if (name == NULL)
     return refuse_command (NULL);
-  if (g_str_equal (name, "--help") || g_str_equal (name, "-h"))
+  if (g_str_equal (name, "--help") || g_str_equal (name, "-h")
+      || g_str_equal (name, "help"))
     return print_help ();
   if (g_str_equal (name, "--version"))
     return print_version ();
