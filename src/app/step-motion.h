@@ -12,10 +12,10 @@ G_BEGIN_DECLS
 typedef struct StepMotion StepMotion;
 
 StepMotion *step_motion_new (Canvas *canvas);
-void step_motion_free (StepMotion *motion);
+void step_motion_free (StepMotion *way);
 
 /* Lets @look, of which a scene is about to be made, show how far it is. */
-void step_motion_apply (StepMotion *motion, SceneLook *look);
+void step_motion_apply (StepMotion *way, SceneLook *look);
 
 G_END_DECLS
 
