@@ -26,6 +26,14 @@ on_delete (GtkWidget *widget, GdkEvent *event, Hull2vdWindow *window)
   return gtk_widget_hide_on_delete (widget);
 }
 
+/* The text has keys of its own; all others are those of the pictures. */
+static gboolean
+on_key (GtkWidget *widget, GdkEventKey *event, Hull2vdWindow *window)
+{
+  return gtk_window_propagate_key_event (GTK_WINDOW (widget), event)
+         || hull2vd_window_forward_key (window, GTK_WINDOW (widget), event);
+}
+
 static void
 begin (Hull2vdWindow *window)
 {
@@ -34,6 +42,8 @@ begin (Hull2vdWindow *window)
         = record_window_new (GTK_APPLICATION_WINDOW (window), window->session);
     g_signal_connect (window->record_window, "delete-event",
                       G_CALLBACK (on_delete), window);
+    g_signal_connect (window->record_window, "key-press-event",
+                      G_CALLBACK (on_key), window);
   }
   window->record = session_record_new (window->session);
   record_window_set_record (window->record_window, window->record);
