@@ -47,22 +47,6 @@ struct Condition {
 
 /* Reading */
 
-static gboolean refuse (GError **error, const char *format, ...)
-    G_GNUC_PRINTF (2, 3);
-
-static gboolean
-refuse (GError **error, const char *format, ...)
-{
-  va_list arguments;
-
-  va_start (arguments, format);
-  g_propagate_error (error,
-                     g_error_new_valist (LESSON_ERROR, LESSON_ERROR_BROKEN,
-                                         format, arguments));
-  va_end (arguments);
-  return FALSE;
-}
-
 static gboolean
 refuse_name (const char *name, GError **error)
 {
@@ -75,7 +59,7 @@ refuse_name (const char *name, GError **error)
     g_ptr_array_add (names, (char *)*key);
   g_ptr_array_add (names, NULL);
   hint = words_hint (name, (const char *const *)names->pdata);
-  return refuse (error, _ ("a condition cannot use “%s”%s"), name, hint);
+  return lesson_refuse (error, _ ("a condition cannot use “%s”%s"), name, hint);
 }
 
 /* "3", "facets", "2*inserted" */
@@ -98,7 +82,7 @@ read_term (const char *word, gint64 sign, Sum *sum, GError **error)
   if (!quantity_parse (name, &quantity))
     return refuse_name (name, error);
   if (sum->n_terms == MAX_TERMS)
-    return refuse (error, _ ("a sum has at most %d terms"), MAX_TERMS);
+    return lesson_refuse (error, _ ("a sum has at most %d terms"), MAX_TERMS);
   sum->terms[sum->n_terms].factor = sign * (gint64)factor;
   sum->terms[sum->n_terms].quantity = quantity;
   sum->n_terms += 1;
@@ -116,13 +100,15 @@ read_sum (char **words, guint n, Sum *sum, GError **error)
         = g_str_equal (words[i], "+") || g_str_equal (words[i], "-");
 
     if (is_sign != (i % 2 == 1))
-      return refuse (error, _ ("“%s” is out of place in this sum"), words[i]);
+      return lesson_refuse (error, _ ("“%s” is out of place in this sum"),
+                            words[i]);
     if (is_sign)
       sign = words[i][0] == '-' ? -1 : 1;
     else if (!read_term (words[i], sign, sum, error))
       return FALSE;
   }
-  return n % 2 == 1 || refuse (error, _ ("a number or a quantity is missing"));
+  return n % 2 == 1
+         || lesson_refuse (error, _ ("a number or a quantity is missing"));
 }
 
 /* Returns: the place of the relation among @words, or their number. */
@@ -153,10 +139,10 @@ read_comparison (Condition *condition, char **words, GError **error)
   }
   if (at == n)
     return quantity_parse (words[0], &(Quantity){ 0 })
-               ? refuse (error,
-                         _ ("what should “%s” be compared with? write "
-                            "%s = 4, or <, >, !="),
-                         words[0], words[0])
+               ? lesson_refuse (error,
+                                _ ("what should “%s” be compared with? write "
+                                   "%s = 4, or <, >, !="),
+                                words[0], words[0])
                : refuse_name (words[0], error);
   return read_sum (words, at, &condition->left, error)
          && read_sum (words + at + 1, n - at - 1, &condition->right, error);
@@ -188,8 +174,8 @@ read_word (Condition *condition, char **words, GError **error)
     condition->arguments[i] = object.number;
   }
   return is_good
-         || refuse (error, _ ("“%s” takes %s"), condition->word->name,
-                    argument_rule (rule));
+         || lesson_refuse (error, _ ("“%s” takes %s"), condition->word->name,
+                           argument_rule (rule));
 }
 
 static gboolean
@@ -198,7 +184,7 @@ read_whole (Condition *condition, char **words, GError **error)
   condition->is_negated = words[0] != NULL && g_str_equal (words[0], "not");
   words += condition->is_negated ? 1 : 0;
   if (words[0] == NULL)
-    return refuse (error, _ ("a condition is missing"));
+    return lesson_refuse (error, _ ("a condition is missing"));
   condition->word = condition_word_find (words[0]);
   return condition->word != NULL ? read_word (condition, words, error)
                                  : read_comparison (condition, words, error);

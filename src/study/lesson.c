@@ -4,6 +4,19 @@
 
 G_DEFINE_QUARK (lesson - error - quark, lesson_error)
 
+gboolean
+lesson_refuse (GError **error, const char *format, ...)
+{
+  va_list arguments;
+
+  va_start (arguments, format);
+  g_propagate_error (error,
+                     g_error_new_valist (LESSON_ERROR, LESSON_ERROR_BROKEN,
+                                         format, arguments));
+  va_end (arguments);
+  return FALSE;
+}
+
 static const char *const views_names[N_VIEWS] = {
   [VIEWS_BOTH] = "both",
   [VIEWS_PLANE] = "plane",

@@ -100,6 +100,12 @@ typedef enum LessonError {
   LESSON_ERROR_SITES,  /* a sites file was refused: its FILE:LINE: reason */
 } LessonError;
 
+/* Sets @error to LESSON_ERROR_BROKEN, the reason alone.
+ *
+ * Returns: FALSE. */
+gboolean lesson_refuse (GError **error, const char *format, ...)
+    G_GNUC_PRINTF (2, 3);
+
 /* Reads a file, or "-", up to one byte more than a lesson may have.
  *
  * Returns: (transfer full): its bytes, or NULL with @error set. */

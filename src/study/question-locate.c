@@ -1,5 +1,4 @@
 /* Where a question is asked, and whether it can be asked there. */
-#include "action.h"
 #include "attempt.h"
 #include "lesson.h"
 #include "object-name.h"
@@ -7,22 +6,6 @@
 #include "question-click.h"
 
 #include <glib/gi18n.h>
-
-static gboolean refuse (GError **error, const char *format, ...)
-    G_GNUC_PRINTF (2, 3);
-
-static gboolean
-refuse (GError **error, const char *format, ...)
-{
-  va_list arguments;
-
-  va_start (arguments, format);
-  g_propagate_error (error,
-                     g_error_new_valist (LESSON_ERROR, LESSON_ERROR_BROKEN,
-                                         format, arguments));
-  va_end (arguments);
-  return FALSE;
-}
 
 /* What is being found out. */
 typedef struct Locating {
@@ -58,10 +41,11 @@ need_phase (Locating *locating, Phase phase)
   guint before, end;
 
   if (occasion_round (occasion) == NULL)
-    return refuse (locating->error,
-                   _ ("there is no round here to ask about: the last round is "
-                      "%u"),
-                   occasion->trace->n_rounds);
+    return lesson_refuse (
+        locating->error,
+        _ ("there is no round here to ask about: the last round is "
+           "%u"),
+        occasion->trace->n_rounds);
   timeline_find (occasion->trace, place, true, &before);
   timeline_find (occasion->trace, place, false, &end);
   if (occasion->step > before && locating->may_be_shown) {
@@ -69,10 +53,11 @@ need_phase (Locating *locating, Phase phase)
     return TRUE;
   }
   if (occasion->step > before)
-    return refuse (locating->error,
-                   _ ("this gives the answer away: it is shown already; ask "
-                      "before round %u %s"),
-                   occasion->round, phase_name (phase));
+    return lesson_refuse (
+        locating->error,
+        _ ("this gives the answer away: it is shown already; ask "
+           "before round %u %s"),
+        occasion->round, phase_name (phase));
   occasion->reveal = MAX (occasion->reveal, end);
   return TRUE;
 }
@@ -149,8 +134,8 @@ check_conditions (Locating *locating)
         option->condition, &(Situation){ &frame, NULL, INDEX_NONE });
 
     if (fault != NULL)
-      is_good = refuse (locating->error, "“%s”: %s",
-                        condition_text (option->condition), fault);
+      is_good = lesson_refuse (locating->error, "“%s”: %s",
+                               condition_text (option->condition), fault);
   }
   frame_clear (&frame);
   return is_good;
@@ -173,8 +158,9 @@ locate_choose (Locating *locating)
     return FALSE;
   if (locating->was_shown
       && locating->occasion->reveal == locating->occasion->step)
-    return refuse (locating->error, _ ("this gives the answer away: it is "
-                                       "shown already at this place"));
+    return lesson_refuse (locating->error,
+                          _ ("this gives the answer away: it is "
+                             "shown already at this place"));
   /* Words are about the phase before which they stand. */
   if (locating->occasion->reveal == locating->occasion->step
       && locating->is_before
@@ -185,7 +171,7 @@ locate_choose (Locating *locating)
     return FALSE;
   answer = answer_new (question, locating->occasion);
   return answer->objects->len > 0
-         || refuse (locating->error, _ ("none of the options is right"));
+         || lesson_refuse (locating->error, _ ("none of the options is right"));
 }
 
 /* Clicks */
@@ -199,15 +185,16 @@ check_argument (Locating *locating)
 
   object_name_write (argument, name);
   if (argument.kind == OBJECT_SITE && argument.number >= trace->set->n_sites)
-    return refuse (locating->error, _ ("there is no site %s"), name);
+    return lesson_refuse (locating->error, _ ("there is no site %s"), name);
   if (argument.kind != OBJECT_FACET)
     return TRUE;
   if (argument.number >= trace->n_facets)
-    return refuse (locating->error, _ ("there is no facet %s"), name);
+    return lesson_refuse (locating->error, _ ("there is no facet %s"), name);
   return span_has (trace->facets[argument.number].span,
                    locating->occasion->step)
-         || refuse (locating->error,
-                    _ ("%s is not a facet of the hull at this place"), name);
+         || lesson_refuse (locating->error,
+                           _ ("%s is not a facet of the hull at this place"),
+                           name);
 }
 
 static gboolean
@@ -239,12 +226,13 @@ check_objects (Locating *locating, const Frame *frame)
 
   question->click->collect (question, locating->occasion, frame, objects);
   if (objects->len == 0)
-    return refuse (locating->error,
-                   _ ("the answer is empty: there is nothing to click"));
+    return lesson_refuse (locating->error,
+                          _ ("the answer is empty: there is nothing to click"));
   for (guint i = 0; i < objects->len; i++)
     if (!is_shown (frame, g_array_index (objects, Object, i)))
-      return refuse (locating->error,
-                     _ ("the answer is not in the pictures at this place"));
+      return lesson_refuse (
+          locating->error,
+          _ ("the answer is not in the pictures at this place"));
   return TRUE;
 }
 
@@ -271,9 +259,9 @@ static gboolean
 check_few_sites (Locating *locating)
 {
   return locating->occasion->trace->set->n_sites <= QUESTION_MAX_SITES
-         || refuse (locating->error,
-                    _ ("this question is for at most %d sites"),
-                    QUESTION_MAX_SITES);
+         || lesson_refuse (locating->error,
+                           _ ("this question is for at most %d sites"),
+                           QUESTION_MAX_SITES);
 }
 
 static gboolean
@@ -292,13 +280,14 @@ locate_order (Locating *locating)
     locating->occasion->reveal = occasion_round (locating->occasion)->end;
   if (locating->question->order == ORDER_OF_SITES
       && locating->occasion->trace->order.kind != ORDER_FURTHEST)
-    return refuse (locating->error,
-                   _ ("this question is about QuickHull: write order furthest "
-                      "before it"));
+    return lesson_refuse (
+        locating->error,
+        _ ("this question is about QuickHull: write order furthest "
+           "before it"));
   items = question_items (locating->question, locating->occasion);
   return items->len >= 2
-         || refuse (locating->error,
-                    _ ("there is nothing to put in order here"));
+         || lesson_refuse (locating->error,
+                           _ ("there is nothing to put in order here"));
 }
 
 static gboolean
@@ -314,18 +303,20 @@ locate_drag (Locating *locating)
   if (!check_few_sites (locating))
     return FALSE;
   if (question->site >= trace->set->n_sites)
-    return refuse (locating->error, _ ("there is no site s%u"), question->site);
+    return lesson_refuse (locating->error, _ ("there is no site s%u"),
+                          question->site);
   frame_init (&frame, trace, trace->n_events);
   situation.frame = &frame;
   fault = condition_fault (question->condition, &situation);
   holds = fault == NULL && condition_holds (question->condition, &situation);
   frame_clear (&frame);
   if (fault != NULL)
-    return refuse (locating->error, "“%s”: %s",
-                   condition_text (question->condition), fault);
+    return lesson_refuse (locating->error, "“%s”: %s",
+                          condition_text (question->condition), fault);
   return !holds
-         || refuse (locating->error, _ ("“%s” holds before anything is moved"),
-                    condition_text (question->condition));
+         || lesson_refuse (locating->error,
+                           _ ("“%s” holds before anything is moved"),
+                           condition_text (question->condition));
 }
 
 static gboolean
@@ -349,9 +340,10 @@ find_begin (Locating *locating)
          || occasion->step == trace->start_end
          || (occasion->round > 1 && occasion->round <= trace->n_rounds
              && occasion->step == trace->rounds[occasion->round - 2].end)
-         || refuse (locating->error,
-                    _ ("a performance begins before a round: write start, "
-                       "simplex or round R"));
+         || lesson_refuse (
+             locating->error,
+             _ ("a performance begins before a round: write start, "
+                "simplex or round R"));
 }
 
 static gboolean
@@ -365,20 +357,21 @@ locate_perform (Locating *locating)
   if (!check_few_sites (locating))
     return FALSE;
   if (trace->is_flat)
-    return refuse (
+    return lesson_refuse (
         locating->error,
         _ ("these sites have no first simplex: nothing is inserted"));
   if (trace->order.kind != ORDER_FURTHEST)
-    return refuse (locating->error,
-                   _ ("this question is about QuickHull: write order furthest "
-                      "before it"));
+    return lesson_refuse (
+        locating->error,
+        _ ("this question is about QuickHull: write order furthest "
+           "before it"));
   there = trace->n_rounds + 1 - occasion->round;
   if (wanted > there)
-    return refuse (locating->error,
-                   ngettext ("there is only %u insertion to perform here",
-                             "there are only %u insertions to perform here",
-                             there),
-                   there);
+    return lesson_refuse (
+        locating->error,
+        ngettext ("there is only %u insertion to perform here",
+                  "there are only %u insertions to perform here", there),
+        there);
   if (!find_begin (locating))
     return FALSE;
   occasion->reveal = trace->rounds[occasion->round + wanted - 2].end;
