@@ -18,7 +18,7 @@ void perform_judge_free (PerformJudge *judge);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (PerformJudge, perform_judge_free)
 
 /* Returns: (transfer full) (element-type Object): all that is legal, or all
- *          that is right, in the task in hand. */
+ *          that is right, in the current task. */
 GArray *perform_judge_answer (const PerformJudge *judge,
                               const Performance *performance);
 

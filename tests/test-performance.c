@@ -62,7 +62,7 @@ answer_as_judged (Performance *performance, const GArray *right, GRand *rand)
   return g_array_index (right, Object, one);
 }
 
-/* The task in hand: judged, and answered by a legal move. */
+/* The current task: judged, and answered by a legal move. */
 static void
 do_task (Performance *performance, PerformJudge *judge, GRand *rand)
 {

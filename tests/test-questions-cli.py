@@ -251,7 +251,7 @@ def judge(item):
     scene = None if ask.startswith("always") else Scene(item.given)
     if ask.startswith("number"):
         label = re.search(r"How many: (.*)\?", item.given[-1]).group(1)
-        check(scene.apex is not None, "the site in hand")
+        check(scene.apex is not None, "the current site")
         check(item.number == number(label, scene),
               f"{label}: {item.number}, not {number(label, scene)}")
         return

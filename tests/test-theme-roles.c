@@ -162,7 +162,7 @@ static void
 check_solid_lines (const Theme *theme)
 {
   const Colour edge = sight_style (theme, ROLE_DELAUNAY_EDGE).line;
-  const Colour in_hand = sight_style (theme, ROLE_SELECTED_FACET).line;
+  const Colour selected = sight_style (theme, ROLE_SELECTED_FACET).line;
   const Colour horizon = sight_style (theme, ROLE_HORIZON).line;
   const Colour cone = sight_style (theme, ROLE_CONE_EDGE).line;
   const SceneItem behind_it
@@ -180,10 +180,10 @@ check_solid_lines (const Theme *theme)
     if (sight_distance (theme->selected_facet, edge, vision) < COLOUR_APART)
       sight_fault (theme, "selected", ROLE_DELAUNAY_EDGE, name, 0);
     /* One of these is wider, too. */
-    if (sight_distance (theme->selected_facet, in_hand, vision)
+    if (sight_distance (theme->selected_facet, selected, vision)
         < 0.5 * COLOUR_APART)
       sight_fault (theme, "selected", ROLE_SELECTED_FACET, name,
-                   sight_distance (theme->selected_facet, in_hand, vision));
+                   sight_distance (theme->selected_facet, selected, vision));
     if (sight_distance (cone, horizon, vision) < 2 * COLOUR_APART)
       sight_fault (theme, "cone", ROLE_HORIZON, name,
                    sight_distance (cone, horizon, vision));

@@ -1,6 +1,5 @@
 #include "answer-list.h"
 
-#include "object-name.h"
 #include "words.h"
 
 #include <glib/gi18n.h>

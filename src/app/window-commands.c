@@ -1,6 +1,5 @@
 #include "window-private.h"
 
-#include "document.h"
 #include "generate-dialog.h"
 #include "keys-dialog.h"
 #include "point-import.h"

@@ -315,7 +315,7 @@ has_orphans (const HullBuilder *b, uint32_t apex)
  * far from each other in memory: in the batch build they are near. */
 #if defined(__AVX2__) && !defined(HULL_BATCH)
 
-/* Asks all in hand first: what is asked of one does not wait for what becomes
+/* Asks all orphans first: what is asked of one does not wait for what becomes
  * of another. */
 static void
 ask_all (const View *view, ConeOrphans *orphans)
@@ -335,7 +335,7 @@ ask_all (const View *view, ConeOrphans *orphans)
     cone_ask (view->cone, view->n_facets, &doubt, orphans, k / 4);
 }
 
-/* Hands over those in hand.
+/* Hands them over.
  *
  * Returns: how many of them are still to be inserted. */
 static uint32_t

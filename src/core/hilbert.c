@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* The curve is followed four bits of each axis at a time. */
 #define STEP_BITS 4

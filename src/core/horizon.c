@@ -4,7 +4,6 @@
 #include "memory.h"
 
 #include <assert.h>
-#include <stddef.h>
 
 /* Takes the outside set from a facet that will retire. */
 static void

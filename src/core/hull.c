@@ -4,7 +4,6 @@
 #include "hull-record.h"
 #include "memory.h"
 
-#include <float.h>
 #include <stdlib.h>
 
 /* Numbers for the cone: new ones, or in the batch build those of the visible

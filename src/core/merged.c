@@ -24,7 +24,7 @@ typedef struct Merger {
   const Result *result;
   Side *twins;      /* per side: the same edge in the neighbour */
   uint32_t *parent; /* per facet: a forest of those in one plane */
-  uint32_t *heads;  /* per site: its follower in the polygon in hand */
+  uint32_t *heads;  /* per site: its follower in the current polygon */
 } Merger;
 
 static uint32_t

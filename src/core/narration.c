@@ -3,7 +3,6 @@
 #include "flat.h"
 #include "memory.h"
 #include "narration-template.h"
-#include "timeline.h"
 
 #include <stdlib.h>
 

@@ -5,16 +5,16 @@
 #include <stdlib.h>
 
 static const PlanarRound *
-round_in_hand (const PlanarFrame *frame)
+current_round (const PlanarFrame *frame)
 {
-  return frame->is_round_in_hand ? &frame->trace->rounds[frame->round] : NULL;
+  return frame->is_in_round ? &frame->trace->rounds[frame->round] : NULL;
 }
 
 static uint32_t
 roles_of (const PlanarFrame *frame, uint32_t edge)
 {
   const PlanarEdge *row = &frame->trace->edges[edge];
-  const PlanarRound *round = round_in_hand (frame);
+  const PlanarRound *round = current_round (frame);
   const bool stands = span_has (row->span, frame->base);
   const bool is_born
       = span_has (row->span, frame->step) && row->round == frame->round + 1;
@@ -110,7 +110,7 @@ static SiteState
 state_of (const PlanarFrame *frame, uint32_t site)
 {
   const PlanarTrace *trace = frame->trace;
-  const PlanarRound *round = round_in_hand (frame);
+  const PlanarRound *round = current_round (frame);
 
   if (trace->set->first[site] != site)
     return SITE_DUPLICATE;
@@ -125,7 +125,7 @@ static void
 mark_outside (PlanarFrame *frame)
 {
   const PlanarTrace *trace = frame->trace;
-  const PlanarRound *round = round_in_hand (frame);
+  const PlanarRound *round = current_round (frame);
   bool *has_set = memory_new (trace->n_edges, sizeof *has_set);
   uint32_t i;
 
@@ -191,7 +191,7 @@ find_horizon (PlanarFrame *frame)
   const PlanarTrace *trace = frame->trace;
   uint32_t i;
 
-  if (!frame->is_round_in_hand)
+  if (!frame->is_in_round)
     return;
   for (i = trace->rounds[frame->round].select; i < frame->step; i++)
     if (trace->events[i].kind == PLANAR_HORIZON)
@@ -214,7 +214,7 @@ planar_frame_init (PlanarFrame *frame, const PlanarTrace *trace, uint32_t step)
                           .base = planar_trace_base (trace, step),
                           .place = course_place (&trace->course, step),
                           .round = planar_trace_round (trace, step) };
-  frame->is_round_in_hand
+  frame->is_in_round
       = frame->round != INDEX_NONE && step <= trace->rounds[frame->round].end;
   add_edges (frame);
   add_sites (frame);

@@ -24,9 +24,9 @@ typedef struct PlanarFrame {
   const PlanarTrace *trace; /* borrowed */
   uint32_t step, base;
   Place place;
-  uint32_t round;        /* index into rounds, INDEX_NONE before */
-  bool is_round_in_hand; /* the round has not ended before this step */
-  FrameSite *sites;      /* one for each site of the set, in order */
+  uint32_t round;   /* index into rounds, INDEX_NONE before */
+  bool is_in_round; /* the round has not ended before this step */
+  FrameSite *sites; /* one for each site of the set, in order */
   uint32_t n_sites;
   PlanarFrameEdge *edges; /* ascending number */
   uint32_t n_edges;

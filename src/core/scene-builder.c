@@ -9,7 +9,7 @@
 #include <string.h>
 
 static bool
-is_round_in_hand (const Frame *frame)
+has_current_round (const Frame *frame)
 {
   return frame->round != INDEX_NONE
          && frame->step <= frame->trace->rounds[frame->round].end;
@@ -112,7 +112,7 @@ take_frame (SceneBuilder *builder, const Frame *frame, const SceneLook *look)
     builder->said = trace_event (frame->trace, frame->step - 1);
     builder->event = &builder->said;
   }
-  builder->is_round = is_round_in_hand (frame);
+  builder->is_round = has_current_round (frame);
   if (builder->is_round && !is_masked)
     scene_builder_round (builder, frame->place.phase);
 }

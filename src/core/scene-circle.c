@@ -68,7 +68,7 @@ typedef struct Pen {
   Role role;
   Object object;
   double rim; /* of the paraboloid that it is lifted onto; 0: of none */
-  Pixel at;   /* the end of the item in hand */
+  Pixel at;   /* the end of the current item */
   bool is_down;
 } Pen;
 

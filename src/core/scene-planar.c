@@ -93,7 +93,7 @@ add_edges (PlanarScene *planar)
 
 /* The edge whose outer side the step is about, or INDEX_NONE. */
 static uint32_t
-edge_in_hand (const PlanarFrame *frame)
+current_edge (const PlanarFrame *frame)
 {
   const Phase phase = frame->place.phase;
 
@@ -157,7 +157,7 @@ static void
 add_choice (PlanarScene *planar)
 {
   const PlanarFrame *frame = planar->frame;
-  const uint32_t edge = edge_in_hand (frame);
+  const uint32_t edge = current_edge (frame);
   uint32_t i;
 
   if (edge == INDEX_NONE || frame->place.phase != PHASE_CHOOSE)
@@ -233,15 +233,15 @@ scene_planar (Scene *scene, const PlanarFrame *frame, const SceneLook *look)
   SceneBuilder *builder = &planar.builder;
 
   scene_builder_open (builder, scene, look, frame->n_sites + 1);
-  if (frame->is_round_in_hand)
+  if (frame->is_in_round)
     scene_builder_round (builder, frame->place.phase);
   scene->is_space = false;
   builder->pass = PASS_GROUND;
   scene_add_frame (builder);
   add_area (&planar);
   add_gain (&planar);
-  if (edge_in_hand (frame) != INDEX_NONE)
-    add_line (&planar, edge_in_hand (frame));
+  if (current_edge (frame) != INDEX_NONE)
+    add_line (&planar, current_edge (frame));
   add_edges (&planar);
   add_choice (&planar);
   builder->pass = PASS_MARKS;

@@ -2,8 +2,6 @@
 
 #include "scene-builder.h"
 
-#include <math.h>
-
 #define NO_OBJECT ((Object){ OBJECT_NONE, 0 })
 
 /* Sign maps */

@@ -1,5 +1,5 @@
-/* What stands in the plane: the triangulation and the shadows of the round in
- * hand; and what is drawn alike in the plane and in space. */
+/* What stands in the plane: the triangulation and the shadows of the current
+ * round; and what is drawn alike in the plane and in space. */
 #include "memory.h"
 #include "scene-builder.h"
 

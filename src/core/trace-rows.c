@@ -2,8 +2,6 @@
 
 #include "memory.h"
 
-#include <stdlib.h>
-
 static void
 add_facet (Trace *trace,
            const uint32_t site[3],

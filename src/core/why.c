@@ -41,7 +41,7 @@ site_of (const Frame *frame, Object object)
 }
 
 static uint32_t
-site_in_hand (const Frame *frame)
+current_site (const Frame *frame)
 {
   const Trace *trace = frame->trace;
 
@@ -63,7 +63,7 @@ why_find (const Frame *frame, Object selection, Object hover, Object measured)
   if (why.site == INDEX_NONE)
     why.site = site_of (frame, measured);
   if (why.site == INDEX_NONE)
-    why.site = site_in_hand (frame);
+    why.site = current_site (frame);
   return why;
 }
 

@@ -91,7 +91,7 @@ brush_hatch_directions (const Style *style,
   return 2;
 }
 
-/* A hatch in hand. */
+/* A hatch while it is drawn. */
 typedef struct Hatching {
   const Pixel *corners;
   uint32_t n;

@@ -169,7 +169,7 @@ add_dashes (Coverage *coverage,
             const Widening *widening)
 {
   Dash dash = { .coverage = coverage, .widening = widening };
-  double left = widening->dash; /* of the dash or the gap in hand */
+  double left = widening->dash; /* of the current dash or gap */
   bool is_on = true;
   uint32_t i;
 

@@ -19,7 +19,7 @@ typedef struct PixelClip {
 typedef struct Coverage {
   int width, height; /* of the picture */
   PixelClip clip;    /* nothing is painted outside it */
-  PixelClip box;     /* of the shape in hand, in the clip */
+  PixelClip box;     /* of the current shape, in the clip */
   int *cells;        /* of the box: its width + 2 for each row; all 0 between
                         two shapes */
   int *left, *right; /* per row of the box: the columns touched; left > right:

@@ -46,7 +46,7 @@ drawing_begin (Drawing *drawing,
   drawing->edition
       = stock != NULL ? stock->edition : names_begin (drawing->names, theme);
   drawing->size = stock != NULL ? stock->size : 1;
-  drawing->in_hand = (StrokePlace){ INDEX_NONE, 0, 0 };
+  drawing->next = (StrokePlace){ INDEX_NONE, 0, 0 };
   drawing->key = 0;
   drawing->is_sketch = stock != NULL && stock->is_sketch;
   drawing->scale = stock != NULL ? stock->scale : 1;
@@ -114,7 +114,7 @@ stroke_begin (Drawing *drawing, StrokeKind kind, uint32_t style)
   stroke->kind = kind;
   stroke->style = style;
   stroke->first = drawing->n_pixels;
-  stroke->place = drawing->in_hand;
+  stroke->place = drawing->next;
   stroke->key = drawing->key;
   stroke->fill = drawing->styles[style].fill;
   return stroke;

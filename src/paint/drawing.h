@@ -75,7 +75,7 @@ typedef struct Drawing {
   const Theme *theme;   /* borrowed */
   double width, height; /* px */
   double size;          /* of marks and lines; below 1 in a crowd */
-  StrokePlace in_hand;  /* of the strokes that are begun next, */
+  StrokePlace next;     /* of the strokes that are begun next, */
   uint64_t key;         /* and their key */
   bool is_sketch;       /* drawing_set_sketch() */
   double scale;         /* of a sketch, device pixels per px */

@@ -3,7 +3,6 @@
 #include "brush.h"
 #include "memory.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -7,7 +7,7 @@
 /* Cosine of the angle from which on a bend is a corner. */
 #define CORNER 0.9
 
-/* A line in hand. */
+/* A line while it is cut into quads. */
 typedef struct Strip {
   GlBatch *batch;
   const GlLine *line;

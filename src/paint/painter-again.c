@@ -66,7 +66,7 @@ painter_key (const Painter *painter, const SceneItem *item, StrokeKind kind)
                         | (uint64_t)painter->is_behind << 1
                         | (uint64_t)(item->object.kind == OBJECT_VERTEX);
   const uint64_t place = (uint64_t)item->n << 32
-                         | painter->drawing->in_hand.layer << 8
+                         | painter->drawing->next.layer << 8
                          | (uint64_t)kind << 1 | is_space;
   uint64_t sum;
 
@@ -132,7 +132,7 @@ painter_draw_again (Painter *painter, uint64_t key)
   leave_out (painter, i);
   for (; i < before->n_strokes && before->strokes[i].key == key; i++)
     drawing_add_copy (painter->drawing, before, &before->strokes[i])->place
-        = painter->drawing->in_hand;
+        = painter->drawing->next;
   painter->cursor = i;
   return true;
 }

@@ -2,10 +2,10 @@
 #include "painter-private.h"
 
 void
-painter_take_in_hand (Painter *painter, uint32_t item, uint32_t anchor)
+painter_begin_item (Painter *painter, uint32_t item, uint32_t anchor)
 {
-  painter->drawing->in_hand.item = item;
-  painter->drawing->in_hand.anchor = anchor;
+  painter->drawing->next.item = item;
+  painter->drawing->next.anchor = anchor;
 }
 
 static bool
@@ -34,7 +34,7 @@ add_casing (Painter *painter, uint32_t number, uint32_t anchor)
 
   if (!(painter->drawing->styles[style].casing > 0))
     return false;
-  painter_take_in_hand (painter, number, anchor);
+  painter_begin_item (painter, number, anchor);
   if (painter_draw_again (painter, painter_key (painter, item, STROKE_CASING)))
     return true;
   painter_trace (painter, item, STROKE_CASING, style);
@@ -47,7 +47,7 @@ add_casing (Painter *painter, uint32_t number, uint32_t anchor)
 static void
 add_horizon (Painter *painter, const PaintOrder *order, uint32_t first)
 {
-  const uint32_t end = order->starts[painter->drawing->in_hand.layer + 1];
+  const uint32_t end = order->starts[painter->drawing->next.layer + 1];
   uint32_t i;
 
   for (i = first; i < end; i++)
@@ -63,7 +63,7 @@ add_chain (Painter *painter,
            uint32_t first,
            Casings *casings)
 {
-  const uint32_t end = order->starts[painter->drawing->in_hand.layer + 1];
+  const uint32_t end = order->starts[painter->drawing->next.layer + 1];
   uint32_t i;
 
   for (i = first; i < end; i++) {

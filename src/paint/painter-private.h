@@ -43,14 +43,14 @@ typedef struct Painter {
   bool is_hasty;    /* draws a sketch where there is much to draw, */
   bool is_sketch;   /* and does so, */
   double scale;     /* device pixels per px */
-  SceneDepth depth; /* of the items in hand */
-  bool is_behind;   /* the item in hand is a site that the hull hides */
+  SceneDepth depth; /* of the current items */
+  bool is_behind;   /* the current item is a site that the hull hides */
   const unsigned char *depths; /* SceneDepths of the stock */
   const HiddenCorners *hidden; /* NULL: it hides none */
   PainterSort *sorts; /* N_PAINTER_SORTS of them; NULL where few are painted */
   const Drawing *before; /* to take strokes from; or NULL */
   uint32_t cursor;       /* the next stroke of it */
-  uint32_t first_new;    /* stroke of the item in hand */
+  uint32_t first_new;    /* stroke of the current item */
   Squares *changed;      /* where the two differ so far */
   uint64_t last_key;     /* that strokes were looked for with … */
   uint64_t n_same;       /* … so many times before this one */
@@ -94,7 +94,7 @@ painter_shade (const Painter *painter, const SceneItem *item, Colour fill);
 void painter_add_items (Painter *painter, const uint32_t *items, uint32_t n);
 
 /* The strokes that follow are of an item; they lie where @anchor is. */
-void painter_take_in_hand (Painter *painter, uint32_t item, uint32_t anchor);
+void painter_begin_item (Painter *painter, uint32_t item, uint32_t anchor);
 
 /* Which casings of a layer are there so far: those of the items before @end,
  * in the order of paint; and of the horizon. */
@@ -122,7 +122,7 @@ bool painter_has_none (const Painter *painter, const SceneItem *item);
  *          ground of space, and behind the hull. */
 Style painter_style (const Painter *painter, const SceneItem *item);
 
-/* Returns: the key of an item's strokes of a kind in the layer in hand. */
+/* Returns: the key of an item's strokes of a kind in the current layer. */
 uint64_t
 painter_key (const Painter *painter, const SceneItem *item, StrokeKind kind);
 

@@ -4,7 +4,6 @@
 #include "painter-private.h"
 
 #include <glib.h>
-#include <math.h>
 #include <stdlib.h>
 
 /* Rings that make the outline smooth; the scene's own are a few lines. */
@@ -150,7 +149,7 @@ pixels_of (const Painter *painter, const SceneItem *rim, int n_rings)
   return pixels;
 }
 
-/* Adds the convex hull of @pixels, cut to the view, to the stroke in hand. */
+/* Adds the convex hull of @pixels, cut to the view, to the current stroke. */
 static void
 add_hull (Painter *painter, GArray *pixels)
 {

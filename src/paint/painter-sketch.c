@@ -36,7 +36,7 @@ project (const Painter *painter, const SceneItem *item, Pixel pixels[MOST])
 static BarePlace
 place_of (const Drawing *drawing)
 {
-  return (BarePlace){ drawing->n_strokes, drawing->in_hand.layer };
+  return (BarePlace){ drawing->n_strokes, drawing->next.layer };
 }
 
 static bool

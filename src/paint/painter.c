@@ -57,7 +57,7 @@ painter_trace (Painter *painter,
   stroke_end (drawing);
 }
 
-/* Gives the stroke in hand the corners of a polygon. */
+/* Gives the current stroke the corners of a polygon. */
 static void
 add_corners (Painter *painter, const SceneItem *item)
 {
@@ -143,14 +143,14 @@ add_layer (Painter *painter, const PaintOrder *order, uint32_t layer)
   uint32_t i;
 
   painter->depth = paint_layer_depth (layer);
-  painter->drawing->in_hand.layer = layer;
+  painter->drawing->next.layer = layer;
   for (i = order->starts[layer]; i < order->starts[layer + 1]; i++) {
     const uint32_t number = order->items[i];
     const SceneItem *item = &painter->scene->items[number];
 
     if (item->shape == SHAPE_PATH)
       painter_add_casings (painter, order, i, &casings);
-    painter_take_in_hand (painter, number, number);
+    painter_begin_item (painter, number, number);
     painter->is_behind = painter_hides (painter, item);
     add_item (painter, item);
     painter->is_behind = false;
@@ -229,7 +229,7 @@ add_bodies (Painter *painter, const PaintOrder *order, uint32_t layer)
 
   if (paint_layer_is_marks (layer))
     return;
-  painter->drawing->in_hand = (StrokePlace){ INDEX_NONE, 0, layer };
+  painter->drawing->next = (StrokePlace){ INDEX_NONE, 0, layer };
   if (depth == DEPTH_CONE_FAR && painter->theme->has_mat)
     add_mat (painter);
   if (depth == DEPTH_SHEET_FAR || depth == DEPTH_SHEET_NEAR)

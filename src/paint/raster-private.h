@@ -10,7 +10,7 @@ typedef struct Hand {
   uint32_t *pixels; /* of the picture */
   int stride;       /* in pixels */
   double scale;
-  const Theme *theme; /* of the drawing in hand */
+  const Theme *theme; /* of the current drawing */
   Coverage coverage;  /* its clip is that of the band */
   Pixel *scaled;      /* room for one stroke in device pixels */
   uint32_t scaled_room;

@@ -7,7 +7,7 @@ static const Palette palette = { {
     [INK_APEX] = 0xff8cc8,          [INK_HOVER] = 0xd0b8ff,
     [INK_VISIBLE] = 0xffb000,       [INK_VISIBLE_UPPER] = 0xffd27a,
     [INK_CONE] = 0x008a63,          [INK_CONE_LINE] = 0x00b884,
-    [INK_IN_HAND] = 0x7fd4ff,       [INK_HORIZON] = 0xffffff,
+    [INK_SELECTED] = 0x7fd4ff,      [INK_HORIZON] = 0xffffff,
     [INK_DELAUNAY] = 0x7ab8ff,      [INK_VORONOI] = 0xd8d8d8,
     [INK_CIRCLE] = 0x9ad0ff,        [INK_LOWER] = 0x1a5c9c,
     [INK_UPPER] = 0x125c22,         [INK_VERTICAL] = 0x303030,

@@ -7,7 +7,7 @@ static const Palette palette = { {
     [INK_APEX] = 0xff7cc4,          [INK_HOVER] = 0xc9a0ff,
     [INK_VISIBLE] = 0xff9a45,       [INK_VISIBLE_UPPER] = 0xffb879,
     [INK_CONE] = 0x19a67d,          [INK_CONE_LINE] = 0x62d8b4,
-    [INK_IN_HAND] = 0x8cc8ff,       [INK_HORIZON] = 0xffffff,
+    [INK_SELECTED] = 0x8cc8ff,      [INK_HORIZON] = 0xffffff,
     [INK_DELAUNAY] = 0x6fb1ff,      [INK_VORONOI] = 0xb4b2bd,
     [INK_CIRCLE] = 0x86aed6,        [INK_LOWER] = 0x2a7ab0,
     [INK_UPPER] = 0x2f6e3a,         [INK_VERTICAL] = 0x6a6872,

@@ -7,7 +7,7 @@ static const Palette palette = { {
     [INK_APEX] = 0xc2187f,          [INK_HOVER] = 0x7a3fc0,
     [INK_VISIBLE] = 0xcc5800,       [INK_VISIBLE_UPPER] = 0xa64900,
     [INK_CONE] = 0x009e73,          [INK_CONE_LINE] = 0x00664a,
-    [INK_IN_HAND] = 0x0a529b,       [INK_HORIZON] = 0x1a1a1a,
+    [INK_SELECTED] = 0x0a529b,      [INK_HORIZON] = 0x1a1a1a,
     [INK_DELAUNAY] = 0x0b5cad,      [INK_VORONOI] = 0x555555,
     [INK_CIRCLE] = 0x3f7cbb,        [INK_LOWER] = 0x56b4e9,
     [INK_UPPER] = 0x3d8b40,         [INK_VERTICAL] = 0x9a9996,

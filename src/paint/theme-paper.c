@@ -14,7 +14,7 @@ static const Palette palette = { {
     [INK_APEX] = 0xb800b8,          [INK_HOVER] = 0x6a2fb0,
     [INK_VISIBLE] = 0xb34700,       [INK_VISIBLE_UPPER] = 0x8f3900,
     [INK_CONE] = 0xb45cf0,          [INK_CONE_LINE] = 0x3d0c80,
-    [INK_IN_HAND] = 0x4a2200,       [INK_HORIZON] = 0x000000,
+    [INK_SELECTED] = 0x4a2200,      [INK_HORIZON] = 0x000000,
     [INK_DELAUNAY] = 0x0000d8,      [INK_VORONOI] = 0x000000,
     [INK_CIRCLE] = 0x1a6ea6,        [INK_LOWER] = 0x00ffff,
     [INK_UPPER] = 0x00bb00,         [INK_VERTICAL] = 0xb4b4b4,

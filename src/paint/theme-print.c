@@ -10,7 +10,7 @@ static const Palette palette = { {
     [INK_APEX] = 0x000000,          [INK_HOVER] = 0x5a5a5a,
     [INK_VISIBLE] = 0x000000,       [INK_VISIBLE_UPPER] = 0x000000,
     [INK_CONE] = 0xffffff,          [INK_CONE_LINE] = 0x000000,
-    [INK_IN_HAND] = 0x000000,       [INK_HORIZON] = 0x000000,
+    [INK_SELECTED] = 0x000000,      [INK_HORIZON] = 0x000000,
     [INK_DELAUNAY] = 0x000000,      [INK_VORONOI] = 0x000000,
     [INK_CIRCLE] = 0x000000,        [INK_LOWER] = 0xffffff,
     [INK_UPPER] = 0xffffff,         [INK_VERTICAL] = 0xffffff,

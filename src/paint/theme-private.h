@@ -18,7 +18,7 @@ typedef enum Ink {
   INK_VISIBLE_UPPER,
   INK_CONE, /* what is new */
   INK_CONE_LINE,
-  INK_IN_HAND, /* facet f and its outside set */
+  INK_SELECTED, /* the facet whose outside set is used, and that set */
   INK_HORIZON,
   INK_DELAUNAY,
   INK_VORONOI,

@@ -8,7 +8,7 @@ static const Palette palette = { {
     [INK_APEX] = 0xb0006d,          [INK_HOVER] = 0x6a2fb0,
     [INK_VISIBLE] = 0xb84a00,       [INK_VISIBLE_UPPER] = 0x8f3900,
     [INK_CONE] = 0x009e73,          [INK_CONE_LINE] = 0x004a36,
-    [INK_IN_HAND] = 0x003f87,       [INK_HORIZON] = 0x000000,
+    [INK_SELECTED] = 0x003f87,      [INK_HORIZON] = 0x000000,
     [INK_DELAUNAY] = 0x0050a8,      [INK_VORONOI] = 0x444444,
     [INK_CIRCLE] = 0x2a6cab,        [INK_LOWER] = 0x56b4e9,
     [INK_UPPER] = 0x2f7d33,         [INK_VERTICAL] = 0x9a9996,

@@ -63,7 +63,7 @@ static const Row rows[N_ROLES] = {
       .line = INK_CONE_LINE,
       .style = { .hatch = HATCH_FALLING, .is_shaded = true } },
   [ROLE_SELECTED_FACET]
-  = { .line = INK_IN_HAND, .style = { .width = 4, .casing = 7 } },
+  = { .line = INK_SELECTED, .style = { .width = 4, .casing = 7 } },
   [ROLE_PREVIEW_TRIANGLE]
   = { .fill = INK_HOVER,
       .fill_alpha = 0.08,
@@ -108,7 +108,7 @@ static const Row rows[N_ROLES] = {
   [ROLE_SIGN_NODE]
   = { .line = INK_HORIZON, .style = { .width = 2, .casing = 4.5 } },
   [ROLE_EDGE_LINE]
-  = { .line = INK_IN_HAND, .style = { .width = 1.3, .dash = 7, .gap = 5 } },
+  = { .line = INK_SELECTED, .style = { .width = 1.3, .dash = 7, .gap = 5 } },
   [ROLE_VISIBLE_EDGE]
   = { .line = INK_VISIBLE, .style = { .width = 2.8, .casing = 5 } },
   [ROLE_SEEN_EDGE]
@@ -126,9 +126,9 @@ static const Row rows[N_ROLES] = {
   [ROLE_LIFT_APEX]
   = { .line = INK_APEX, .style = { .width = 2.2, .dash = 5, .gap = 4 } },
   [ROLE_LIFT_OUTSIDE]
-  = { .line = INK_IN_HAND, .style = { .width = 1.6, .dash = 2, .gap = 3 } },
+  = { .line = INK_SELECTED, .style = { .width = 1.6, .dash = 2, .gap = 3 } },
   [ROLE_DROP]
-  = { .line = INK_IN_HAND, .style = { .width = 2.6, .dash = 0.1, .gap = 5 } },
+  = { .line = INK_SELECTED, .style = { .width = 2.6, .dash = 0.1, .gap = 5 } },
   [ROLE_GAP] = { .line = INK_APEX, .style = { .width = 3.6, .casing = 6.5 } },
   [ROLE_LIT] = { .line = INK_APEX, .style = { .width = 3, .casing = 5.5 } },
   [ROLE_ANSWER_CHOSEN]
@@ -191,7 +191,7 @@ static const Row rows[N_ROLES] = {
       = { .width = 1.8, .casing = 1.4, .mark = MARK_HOLLOW, .radius = 4.4 } },
   [ROLE_SITE_OUTSIDE]
   = { .fill = INK_PAPER,
-      .line = INK_IN_HAND,
+      .line = INK_SELECTED,
       .style
       = { .width = 2, .casing = 1.4, .mark = MARK_RINGED, .radius = 4.4 } },
   [ROLE_SITE_APEX]

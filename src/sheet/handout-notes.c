@@ -1,7 +1,6 @@
 #include "handout-notes.h"
 
 #include "block-prose.h"
-#include "form.h"
 #include "prose.h"
 #include "timetable.h"
 

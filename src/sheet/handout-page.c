@@ -2,7 +2,6 @@
  * smaller, then less of it, until it fits. */
 #include "handout-private.h"
 
-#include "block-prose.h"
 #include "form.h"
 #include "gist.h"
 #include "prose-block.h"

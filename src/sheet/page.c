@@ -138,7 +138,7 @@ part (Pages *pages, guint index, double room)
                         entry_new (rest, FALSE));
 }
 
-/* Where an entry goes, below @y of the page in hand. */
+/* Where an entry goes, below @y of the current page. */
 static void
 place (Pages *pages, guint index, guint *page, double *y)
 {
@@ -298,7 +298,7 @@ pages_paint (Pages *pages,
 
 /* Writing */
 
-/* The entries of the outline that are in hand, by level. */
+/* The entries of the outline that the page has, by level. */
 typedef struct Outline {
   int entries[4];
 } Outline;

@@ -26,16 +26,16 @@ typedef struct PdfWords {
 } PdfWords;
 
 typedef struct Pdf {
-  cairo_t *cr; /* paints on the page in hand */
+  cairo_t *cr; /* paints on the current page */
   cairo_surface_t *surface;
   GByteArray *bytes;
-  guint page;                /* in hand, from 1 */
+  guint page;                /* the current one, from 1 */
   GCancellable *cancellable; /* whether it is wanted; NULL at first: it is */
 } Pdf;
 
 void pdf_begin (Pdf *pdf, const Paper *paper, const PdfWords *words);
 
-/* Adds an entry to the outline, of a place on the page in hand.
+/* Adds an entry to the outline, of a place on the current page.
  *
  * Returns: the entry, for those under it. */
 int

@@ -1,6 +1,5 @@
 #include "action-private.h"
 #include "position.h"
-#include "words.h"
 
 #include <glib/gi18n.h>
 

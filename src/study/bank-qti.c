@@ -2,7 +2,6 @@
 #include "prose.h"
 #include "question-bank.h"
 
-#include <glib/gi18n.h>
 #include <stdarg.h>
 
 #define QTI "http://www.imsglobal.org/xsd/imsqti_v2p1"

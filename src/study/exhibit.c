@@ -343,7 +343,7 @@ add_planar (GPtrArray *laws, const PlanarFrame *frame)
               counts->waiting, n_distinct, counts->corners, counts->inside);
   else if (counts->waiting > 0)
     laws_add (laws, "waiting", _ ("still to decide"), "%u", counts->waiting);
-  if (frame->is_round_in_hand)
+  if (frame->is_in_round)
     add_planar_round (laws, counts);
   if (counts->outside_sets > 0)
     laws_add (laws, "outside-sets", _ ("outside sets"), "%u",

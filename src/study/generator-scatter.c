@@ -2,8 +2,6 @@
  * square roots, which round the same everywhere, and put on a grid last. */
 #include "generator-private.h"
 
-#include "order.h"
-
 #include <math.h>
 
 /* Makes one more site; it may fall on one that is there. */

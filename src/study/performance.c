@@ -80,7 +80,7 @@ begin_round (const Performance *performance, guint round, Following *following)
   return round <= performance->last_round;
 }
 
-/* Returns: FALSE: the task in hand is the last one. */
+/* Returns: FALSE: the current task is the last one. */
 static gboolean
 find_following (const Performance *performance, Following *following)
 {

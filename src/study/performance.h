@@ -45,13 +45,13 @@ typedef struct Task {
 typedef struct Performance {
   Run *run;         /* follows the choices made so far */
   GArray *choices;  /* of HullChoice */
-  GPtrArray *tasks; /* of Task, in their order; the last one is in hand */
+  GPtrArray *tasks; /* of Task, in their order; the last is the current one */
   guint first_round, last_round;
   gboolean has_partition;
   guint n_retries; /* of each task */
   gboolean is_over;
-  guint
-      shown; /* the task that is looked at; the one in hand until it is over */
+  guint shown; /* the task that is looked at; until it is over, the current
+                  one */
 } Performance;
 
 /* Of what is over, of the whole; else of the tasks that are settled. */
@@ -71,17 +71,17 @@ Performance *performance_new (Run *run,
 void performance_free (Performance *performance);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (Performance, performance_free)
 
-/* The task in hand, and the one that is looked at. */
+/* The current task, and the one that is looked at. */
 Task *performance_task (const Performance *performance);
 Task *performance_shown (const Performance *performance);
 
-/* Once the exercise of the task in hand is closed: does what was chosen. After
+/* Once the exercise of the current task is closed: does what was chosen. After
  * the last task the performance is over. */
 void performance_settle (Performance *performance);
 
 /* Goes on to the next task.
  *
- * Returns: FALSE: the task in hand is not settled, or it was the last. */
+ * Returns: FALSE: the current task is not settled, or it was the last. */
 gboolean performance_advance (Performance *performance);
 
 /* Gives up what is still to be done: the answers are shown. */

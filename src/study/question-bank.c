@@ -1,7 +1,6 @@
 #include "question-bank.h"
 
 #include "attempt.h"
-#include "object-name.h"
 #include "question-click.h"
 #include "question-reason.h"
 #include "question-search.h"

@@ -1,8 +1,6 @@
 /* Questions made by the engine from a kind and a seed. */
-#include "action.h"
 #include "lesson.h"
 #include "question-click.h"
-#include "words.h"
 
 #include <glib/gi18n.h>
 

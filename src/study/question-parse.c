@@ -13,7 +13,7 @@
 typedef struct Reader {
   const LessonSource *source;
   Question *question;
-  const LessonLine *line; /* in hand */
+  const LessonLine *line; /* the current one */
   GError **error;
   gboolean has_kind, has_position, has_retry;
 } Reader;

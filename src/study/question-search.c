@@ -301,7 +301,7 @@ permute (Permuted *permuted, const Occasion *occasion, const GArray *order)
       permuted_add (permuted, trace, i);
 }
 
-/* The site of the outside set that lies further than the one in hand, or
+/* The site of the outside set that lies further than the current one, or
  * INDEX_NONE. */
 static guint
 find_further (const Trace *trace, const RoundRow *round)

@@ -378,7 +378,7 @@ session_get_apex (Session *session)
     return hull->n_steps == 0 ? INDEX_NONE
                               : hull->steps[hull->n_steps - 1].site;
   }
-  /* Two runs may have two in hand. */
+  /* Two runs may have two current sites. */
   if (session->exhibit_kind != EXHIBIT_LIFTS)
     return INDEX_NONE;
   frame = session_get_frame (session);

@@ -19,7 +19,7 @@ typedef struct Reached {
 /* One playing of a lesson, or of one stop of it. */
 typedef struct Player {
   Session *session;
-  LessonStop *stop; /* in hand */
+  LessonStop *stop; /* the current one */
   SessionExpect on_expect;
   gpointer user;
   LessonFaults *faults;

@@ -1,6 +1,5 @@
 /* The question of the stop: asked, answered, shown. */
 #include "attempt.h"
-#include "question-click.h"
 #include "session-private.h"
 
 static LessonStop *
@@ -102,7 +101,7 @@ session_get_exercise_of (Session *session, guint stop)
 }
 
 static Exercise *
-exercise_in_hand (Session *session)
+current_exercise (Session *session)
 {
   return (Exercise *)session_get_exercise (session);
 }
@@ -255,7 +254,7 @@ session_question_follow_run (Session *session)
     g_clear_pointer (&session->another, exercise_free);
     told (session, TRUE);
   }
-  exercise = exercise_in_hand (session);
+  exercise = current_exercise (session);
 
   if (exercise == NULL || !exercise->is_open || !is_drag (exercise)
       || exercise->attempt->run == session->run)
@@ -270,7 +269,7 @@ session_question_follow_run (Session *session)
 void
 session_question_follow_step (Session *session)
 {
-  Exercise *exercise = exercise_in_hand (session);
+  Exercise *exercise = current_exercise (session);
 
   if (exercise == NULL || !exercise->is_open || is_drag (exercise)
       || session->run != exercise->run
@@ -296,7 +295,7 @@ session_question_settle (Session *session)
 gboolean
 session_answer_toggle (Session *session, Object object)
 {
-  Exercise *exercise = exercise_in_hand (session);
+  Exercise *exercise = current_exercise (session);
 
   return exercise != NULL && told (session, exercise_toggle (exercise, object));
 }
@@ -304,7 +303,7 @@ session_answer_toggle (Session *session, Object object)
 gboolean
 session_answer_number (Session *session, guint index, gint64 number)
 {
-  Exercise *exercise = exercise_in_hand (session);
+  Exercise *exercise = current_exercise (session);
 
   return exercise != NULL
          && told (session, exercise_set_number (exercise, index, number));
@@ -313,7 +312,7 @@ session_answer_number (Session *session, guint index, gint64 number)
 gboolean
 session_answer_undo (Session *session)
 {
-  Exercise *exercise = exercise_in_hand (session);
+  Exercise *exercise = current_exercise (session);
 
   return exercise != NULL && told (session, exercise_undo (exercise));
 }
@@ -321,7 +320,7 @@ session_answer_undo (Session *session)
 gboolean
 session_hint (Session *session)
 {
-  Exercise *exercise = exercise_in_hand (session);
+  Exercise *exercise = current_exercise (session);
 
   return exercise != NULL && told (session, exercise_hint (exercise));
 }
@@ -376,7 +375,7 @@ session_can_check (Session *session)
 gboolean
 session_check (Session *session)
 {
-  Exercise *exercise = exercise_in_hand (session);
+  Exercise *exercise = current_exercise (session);
 
   if (!session_can_check (session))
     return FALSE;
@@ -391,7 +390,7 @@ session_check (Session *session)
 gboolean
 session_reveal (Session *session)
 {
-  Exercise *exercise = exercise_in_hand (session);
+  Exercise *exercise = current_exercise (session);
 
   if (exercise == NULL || !exercise->is_open)
     return FALSE;

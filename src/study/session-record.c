@@ -1,6 +1,5 @@
 #include "session-record.h"
 
-#include "camera-text.h"
 #include "record-lines.h"
 #include "session-private.h"
 
@@ -11,7 +10,7 @@ struct SessionRecord {
   Session *session;
   gulong handler;
   Session *shadow;      /* carries out what is recorded */
-  StopState *base;      /* where the stop in hand begins; NULL: no sites yet */
+  StopState *base;      /* where the current stop begins; NULL: no sites yet */
   StopState *now;       /* of the session */
   ThemeKind theme;      /* shown now */
   guint stop;           /* of the lesson */
@@ -51,7 +50,7 @@ begin (SessionRecord *record)
   record->base = session_get_state (record->shadow);
 }
 
-/* Writes the stop in hand; the shadow stands at its end then.
+/* Writes the current stop; the shadow stands at its end then.
  *
  * Returns: whether there is something in it. */
 static gboolean

@@ -131,6 +131,7 @@ const char *session_get_redo_label (Session *session);
  * than pixels. */
 gboolean session_get_snaps (Session *session);
 void session_set_snaps (Session *session, gboolean snaps);
+
 /* Sets of more sites than this take longer than a person wants to wait. In a
  * session that is patient a thread makes their hull: an edit returns TRUE at
  * once, the session stays as it was, and the edit follows when the hull is
@@ -411,8 +412,8 @@ gboolean session_continue (Session *session); /* to the next stop */
 gboolean session_can_another (Session *session);
 gboolean session_another (Session *session);
 
-/* You be QuickHull: performance.h. While it lasts the exercise is its task in
- * hand, and nothing beyond that can be shown; when it is over, the task that
+/* You be QuickHull: performance.h. While it lasts the exercise is its current
+ * task, and nothing beyond that can be shown; when it is over, the task that
  * is looked at. */
 const Performance *session_get_performance (Session *session); /* or NULL */
 
