@@ -240,6 +240,24 @@ check_quiet (const Theme *theme)
   }
 }
 
+/* No hatch shows through the inside of a quiet mark. */
+static void
+check_inside (const Theme *theme)
+{
+  const SceneItem item = { .role = ROLE_VORONOI_VERTEX_DYING,
+                           .shape = SHAPE_MARK,
+                           .emphasis = EMPHASIS_PALE };
+  const Style quiet = theme_style (theme, &item);
+
+  g_assert_cmpfloat (quiet.fill.alpha, >, 0.5);
+}
+
+static void
+test_inside (void)
+{
+  sight_for_each_theme (check_inside);
+}
+
 static void
 test_quiet (void)
 {
@@ -370,6 +388,7 @@ main (int argc, char **argv)
   g_test_add_func ("/overlay/both-triangulations-are-seen-on-the-hull",
                    test_furthest);
   g_test_add_func ("/overlay/a-quiet-horizon-is-the-same-mark", test_quiet);
+  g_test_add_func ("/overlay/a-quiet-mark-keeps-its-inside", test_inside);
   g_test_add_func ("/overlay/edges-reach-the-horizon", test_horizon);
   g_test_add_func ("/overlay/lifts-in-a-small-crowd-are-dashed", test_lifts);
   g_test_add_func ("/overlay/answers-have-the-names-of-their-facets",

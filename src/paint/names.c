@@ -20,6 +20,7 @@ typedef struct Name {
 struct Names {
   char *font; /* of the theme that the names are set for */
   double text_px;
+  bool has_plates;
   uint32_t edition;
   PangoLayout *layout;
   GArray *names;
@@ -96,11 +97,14 @@ uint32_t
 names_begin (Names *names, const Theme *theme)
 {
   if (g_strcmp0 (theme->font, names->font) == 0
-      && theme->text_px == names->text_px && names->names->len < N_NAMES_MOST)
+      && theme->text_px == names->text_px
+      && theme->has_plates == names->has_plates
+      && names->names->len < N_NAMES_MOST)
     return names->edition;
   g_free (names->font);
   names->font = g_strdup (theme->font);
   names->text_px = theme->text_px;
+  names->has_plates = theme->has_plates;
   g_hash_table_remove_all (names->numbers);
   g_array_set_size (names->names, 0);
   return ++names->edition;
@@ -180,6 +184,12 @@ names_trace (Names *names, uint32_t number, cairo_t *cr, Pixel at)
   pango_cairo_layout_path (cr, names->layout);
 }
 
+static bool
+has_plate (const Names *names, NameFace face)
+{
+  return face == NAME_ANSWER || (face == NAME_FACET && names->has_plates);
+}
+
 void
 names_paint_casing (Names *names, uint32_t number, cairo_t *cr, Pixel at)
 {
@@ -188,7 +198,7 @@ names_paint_casing (Names *names, uint32_t number, cairo_t *cr, Pixel at)
   cairo_set_dash (cr, NULL, 0, 0);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_width (cr, NAME_CASING);
-  if (name->face == NAME_ANSWER) {
+  if (has_plate (names, name->face)) {
     cairo_rectangle (cr, at.x, at.y, name->ink.width, name->ink.height);
     cairo_fill_preserve (cr);
   } else {

@@ -46,7 +46,7 @@ grounds_equal (const Theme *a, const Theme *b)
          && colour_equal (a->hover, b->hover)
          && colour_equal (a->selected_facet, b->selected_facet)
          && colour_equal (a->selected_area, b->selected_area)
-         && a->has_mat == b->has_mat;
+         && a->has_mat == b->has_mat && a->has_plates == b->has_plates;
 }
 
 static bool

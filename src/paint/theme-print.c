@@ -127,6 +127,7 @@ theme_print (Theme *theme)
   theme_dip (theme, &palette);
   theme->cell_lightness = 1;
   theme->cell_chroma = 0;
+  theme->has_plates = true;
   theme->pale_line = 1;
   theme->pale_width = 0.5;
   theme->far_line = 1;

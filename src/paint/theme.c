@@ -112,10 +112,14 @@ fade_lines (Theme *theme)
 static void
 make_pale (const Theme *theme, Role role, Style *style)
 {
-  const double width = is_told_by_ink (role) ? QUIET_WIDTH : theme->pale_width;
+  const double width = is_told_by_ink (role)
+                           ? fmin (QUIET_WIDTH, theme->pale_width)
+                           : theme->pale_width;
 
   style->line = theme->pale_lines[role];
-  style->fill.alpha *= theme_has_hue (role) ? PALE_CELL : theme->pale_fill;
+  /* What is inside a mark keeps off what lies under it. */
+  if (style->mark == MARK_NONE)
+    style->fill.alpha *= theme_has_hue (role) ? PALE_CELL : theme->pale_fill;
   style->width *= width;
   style->casing *= width;
   style->hatch_width *= theme->pale_width;

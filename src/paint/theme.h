@@ -74,8 +74,9 @@ typedef struct Theme {
   double pale_fill;                   /* alpha of areas that are pale */
   double far_line;                    /* alpha of lines behind the hull */
   double far_width;
-  bool has_mat; /* pure hues: neither the sheet nor far facets may shine
-                   through facets and change them */
+  bool has_mat;    /* pure hues: neither the sheet nor far facets may shine
+                      through facets and change them */
+  bool has_plates; /* hatches are all over: names of facets lie on plates */
   Style styles[N_ROLES];
   Colour pale_lines[N_ROLES]; /* as far from the ground as must be */
 } Theme;
