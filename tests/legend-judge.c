@@ -140,7 +140,7 @@ check_item (const Moment *moment, const Theme *theme, const SceneItem *item)
 /* A few pixels of quite another colour are another shape; an area of a colour
  * that can just be told is another area. */
 #define CHANNEL_APART 40
-#define PIXELS_APART 14
+#define PIXELS_APART 18
 #define CHANNEL_TOLD 14
 #define PIXELS_TOLD 140
 

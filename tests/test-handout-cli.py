@@ -191,6 +191,18 @@ def the_key_is_what_the_lesson_says():
         check(words in key, f"no “{words}”")
 
 
+def the_legend_names_what_the_pictures_show():
+    path = write(INSIDE, "--full")
+    text = " ".join(text_of(path).split())
+    check("Legend" in outline_of(path), "it is not in the outline")
+    for words in ("Legend", "Delaunay edge", "horizon", "new site p", "cone: lower"):
+        check(words in text, f"no “{words}”")
+    check("missed" not in text, "somebody has missed something")
+    text = text_of(write(INSIDE, "--steps"))
+    check("p sees: lower" in text and "furthest cell" not in text, "that of the steps")
+    check("Legend" not in text_of(write(INSIDE)), "there is no room for it on one page")
+
+
 def each_insertion_has_four_panels():
     path = write(INSIDE, "--steps")
     fits(path, "a4")
@@ -285,6 +297,7 @@ TESTS = (
     every_language_has_its_place,
     blanks_hide_what_the_key_tells,
     the_key_is_what_the_lesson_says,
+    the_legend_names_what_the_pictures_show,
     each_insertion_has_four_panels,
     notes_are_for_the_lecturer_alone,
     the_same_lesson_gives_the_same_bytes,

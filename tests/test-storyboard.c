@@ -107,6 +107,7 @@ test_pages (void)
   g_assert_cmpuint (count (bytes, "/Title (What a site sees)"), ==, 1);
   g_assert_cmpuint (count (bytes, "/Title (Second)"), ==, 1);
   g_assert_cmpuint (count (bytes, "/Title (Fifth)"), ==, 1);
+  g_assert_cmpuint (count (bytes, "/Title (Legend)"), ==, 1);
   g_assert_cmpuint (count (bytes, "/CreationDate (20040101000000"), ==, 1);
   g_string_free (bytes, TRUE);
 }
@@ -288,8 +289,9 @@ int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
-  g_test_add_func ("/storyboard/four-stops-share-a-page-and-are-in-its-outline",
-                   test_pages);
+  g_test_add_func (
+      "/storyboard/four-stops-or-a-legend-share-a-page-and-are-in-its-outline",
+      test_pages);
   g_test_add_func ("/storyboard/the-same-lesson-gives-the-same-bytes",
                    test_same_bytes);
   g_test_add_func ("/storyboard/the-session-is-left-as-it-was",

@@ -163,6 +163,9 @@ void
 legend_panel_set_columns (LegendPanel *panel, int n_columns)
 {
   panel->n_columns = n_columns;
+  /* Who points cannot scroll: where there is little room this comes first. */
+  gtk_box_reorder_child (GTK_BOX (panel), GTK_WIDGET (panel->grids[1]),
+                         n_columns == 1 ? 1 : -1);
   arrange (panel);
 }
 

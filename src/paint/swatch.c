@@ -47,19 +47,24 @@ sample_of (const SceneItem *item)
 
 #define BORDER 1.4 /* px, of an area that has none */
 
+/* A patch of a plane is seen aslant, of the width. */
+#define PATCH_SLANT 0.25
+
 /* A facet of the legend has a border in a shade of itself that stands out, and
  * its hatch is close enough to be seen to be one. */
 static void
 paint_area (cairo_t *cr,
             const Style *style,
             const Theme *theme,
+            double slant,
             const double size[2])
 {
   const double inset = MAX (1, style->width / 2);
-  const Pixel corners[4] = { { inset, inset },
-                             { size[0] - inset, inset },
-                             { size[0] - inset, size[1] - inset },
-                             { inset, size[1] - inset } };
+  const Pixel corners[4]
+      = { { inset + slant * size[0], inset },
+          { size[0] - inset, inset },
+          { size[0] - inset - slant * size[0], size[1] - inset },
+          { inset, size[1] - inset } };
   Theme close = *theme;
   Style bordered = *style;
 
@@ -98,7 +103,7 @@ paint_cells (cairo_t *cr,
   style.fill.alpha = 0;
   style.line = colour_mix (style.fill, theme->text, 0.35);
   style.line.alpha = 1;
-  paint_area (cr, &style, theme, size);
+  paint_area (cr, &style, theme, 0, size);
 }
 
 #define TRIANGLE_PART 0.18 /* of the height, for a side */
@@ -202,14 +207,7 @@ paint_under (cairo_t *cr, Role role, const Theme *theme, const double size[2])
     return;
   item.role = role == ROLE_RIDGE ? ROLE_LOWER : ROLE_TANGENT;
   style = theme_style (theme, &item);
-  style.width = 0;
-  style.line.alpha = 0;
-  brush_polygon (cr, &style, theme,
-                 (const Pixel[4]){ { 1, 1 },
-                                   { size[0] - 1, 1 },
-                                   { size[0] - 1, size[1] - 1 },
-                                   { 1, size[1] - 1 } },
-                 4);
+  paint_area (cr, &style, theme, 0, size);
 }
 
 static void
@@ -252,7 +250,8 @@ painter_swatch (cairo_t *cr,
   else if (item->role == ROLE_CELL && item->emphasis != EMPHASIS_LOUD)
     paint_cells (cr, item, theme, size);
   else if (sample == SAMPLE_AREA)
-    paint_area (cr, &style, theme, size);
+    paint_area (cr, &style, theme, item->role == ROLE_PLANE ? PATCH_SLANT : 0,
+                size);
   else {
     paint_under (cr, item->role, theme, size);
     paint_line (cr, &style, sample, theme, size);

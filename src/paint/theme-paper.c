@@ -41,6 +41,8 @@ theme_paper (Theme *theme)
   theme->styles[ROLE_DELAUNAY_EDGE].width = 3.6;
   theme->styles[ROLE_CONE_EDGE].width = 5;
   theme->styles[ROLE_CONE_EDGE].casing = 7;
+  /* Feet are as black. */
+  theme->styles[ROLE_VORONOI_VERTEX].radius = 1.8;
   theme->selected_facet = theme_colour (0xd00000, 1);
   theme->styles[ROLE_LIFT_APEX].line = theme_colour (0x5a005a, 1);
 }

@@ -214,6 +214,8 @@ add_entry (Handout *handout, guint stop)
   Block *heading = handout_words (handout, TEXT_HEADING, handout->width, title);
   Block *columns = block_columns (COLUMN_GAP);
 
+  moment_enter (&(Moment){ handout->session, stop, MOMENT_SHOWN, MOMENT_NONE });
+  handout_tell_of (handout, handout->session, MOMENT_SHOWN, MOMENT_VIEWS);
   stack->tag = "Sect";
   stack->title = g_strdup (row->title);
   stack->level = 2;

@@ -25,6 +25,7 @@ struct Handout {
   double width;      /* of a page's blocks */
   gboolean has_part; /* some part is set already */
   Listing listing;   /* of the last stop that was set */
+  GPtrArray *legend; /* of LegendRow: what the pictures so far show */
 };
 
 /* Parts; each adds its blocks to the pages. */
@@ -55,6 +56,12 @@ Block *handout_words (const Handout *handout,
                       TextStyle style,
                       double width,
                       const char *words);
+
+/* The legend tells of what a picture shows, of @session, which is there. */
+void handout_tell_of (Handout *handout,
+                      Session *session,
+                      MomentFace face,
+                      MomentView view);
 
 /* Returns: the picture of a stop, as wide as @width. */
 Block *handout_picture (const Handout *handout,

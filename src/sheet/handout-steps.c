@@ -128,7 +128,7 @@ panel_sentence (const Film *film, const RoundRow *round, guint panel)
 static Block *
 panel_new (const Film *film, const RoundRow *round, guint panel, double width)
 {
-  const Handout *handout = film->handout;
+  Handout *handout = film->handout;
   const Appearance *appearance = &handout->options.appearance;
   const Moment moment
       = { film->session, MOMENT_NONE, MOMENT_SHOWN, panel_step (round, panel) };
@@ -136,6 +136,8 @@ panel_new (const Film *film, const RoundRow *round, guint panel, double width)
   g_autofree char *sentence = NULL, *kept = NULL;
 
   moment_enter (&moment);
+  handout_tell_of (handout, film->session, MOMENT_SHOWN, MOMENT_PLANE);
+  handout_tell_of (handout, film->session, MOMENT_SHOWN, MOMENT_SPACE);
   sentence = panel_sentence (film, round, panel);
   kept = keep_formulas (sentence);
   block_add (stack,

@@ -275,6 +275,7 @@ add_stop (Handout *handout, guint stop)
 
   choose_face (&print);
   moment_enter (&print.moment);
+  handout_tell_of (handout, handout->session, print.moment.face, MOMENT_VIEWS);
   stack->tag = "Sect";
   stack->title = g_strdup (row->title);
   stack->level = 2;

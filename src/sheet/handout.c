@@ -3,6 +3,8 @@
 #include "block-prose.h"
 #include "form.h"
 #include "gist.h"
+#include "legend-block.h"
+#include "legend.h"
 
 #include <glib/gi18n.h>
 
@@ -53,6 +55,40 @@ handout_picture (const Handout *handout,
 
   return moment_block (&moment, MOMENT_VIEWS, &handout->options.appearance,
                        width, width / PICTURE_RATIO);
+}
+
+/* The legend */
+
+void
+handout_tell_of (Handout *handout,
+                 Session *session,
+                 MomentFace face,
+                 MomentView view)
+{
+  LegendMarks marks = { 0 };
+  Theme theme;
+
+  theme_init (&theme, &handout->options.appearance);
+  moment_add_marks (session, face, view, &marks);
+  legend_gather (handout->legend, session, &marks, &theme);
+}
+
+static void
+add_legend (Handout *handout)
+{
+  Block *stack = block_stack (handout->width);
+
+  block_add (stack, form_rule (handout->width));
+  block_add_below (
+      stack, handout_words (handout, TEXT_LABEL, handout->width, _ ("Legend")),
+      PART_GAP);
+  block_add_below (stack,
+                   legend_block (handout->legend, &handout->press,
+                                 &handout->options.appearance, handout->width),
+                   PART_GAP);
+  stack->title = g_strdup (_ ("Legend"));
+  stack->level = 1;
+  pages_add (handout->pages, stack, STOP_GAP);
 }
 
 static char *
@@ -209,6 +245,8 @@ add_parts (Handout *handout)
     handout_add_steps (handout);
   if (options->has_key)
     handout_add_key (handout);
+  if (handout->legend->len > 0)
+    add_legend (handout);
   sources = handout_sources (handout);
   if (sources != NULL)
     pages_add (handout->pages, sources, STOP_GAP);
@@ -228,6 +266,7 @@ handout_new (Session *session, const HandoutOptions *options)
   handout->pages = pages_new (options->paper);
   handout->width = pages_width (handout->pages);
   press_init (&handout->press);
+  handout->legend = legend_new ();
   add_parts (handout);
   pages_count (handout->pages);
   return handout;
@@ -237,6 +276,7 @@ void
 handout_free (Handout *handout)
 {
   pages_free (handout->pages);
+  g_ptr_array_unref (handout->legend);
   press_clear (&handout->press);
   lesson_unref (handout->lesson);
   g_object_unref (handout->session);

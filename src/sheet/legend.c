@@ -2,6 +2,8 @@
 
 #include <glib/gi18n.h>
 
+#define MEANING_BREAK "; "
+
 /* Short, for two columns. NULL: speaks for itself. {p} is the current site,
  * f the facet selected. */
 static const char *const mark_texts[N_LEGEND_MARKS] = {
@@ -147,9 +149,8 @@ apex_of (int mark, Session *session)
 }
 
 static char *
-text_of (int mark, Session *session)
+text_of (int mark, Session *session, guint apex)
 {
-  const guint apex = apex_of (mark, session);
   g_autoptr (GString) text = g_string_new (_ (template_of (mark, session)));
   g_autofree char *site = NULL;
 
@@ -196,17 +197,17 @@ kind_of (int mark, const SceneLook *look)
   return mark == LEGEND_POINTED ? look->hover.kind : look->selection.kind;
 }
 
-static void
-add_row (GPtrArray *rows, Session *session, const LegendMarks *marks, int mark)
+static LegendRow *
+row_new (Session *session, const LegendMarks *marks, int mark, guint apex)
 {
   LegendRow *row = g_new0 (LegendRow, 1);
 
   row->mark = mark;
   row->sample = legend_mark_sample (marks, mark,
                                     kind_of (mark, session_get_look (session)));
-  row->text = text_of (mark, session);
+  row->text = text_of (mark, session, apex);
   row->is_of_pointer = legend_mark_is_of_pointer (mark);
-  g_ptr_array_add (rows, row);
+  return row;
 }
 
 void
@@ -244,18 +245,91 @@ compare_rows (gconstpointer left, gconstpointer right)
   return a->mark - b->mark;
 }
 
+static gboolean
+is_told_of (const LegendMarks *marks, int mark, const Theme *theme)
+{
+  return marks->shapes[mark] != 0 && mark_texts[mark] != NULL
+         && is_seen (mark, theme);
+}
+
 GPtrArray *
 legend_rows (Session *session, const LegendMarks *marks, const Theme *theme)
 {
-  GPtrArray *rows
-      = g_ptr_array_new_with_free_func ((GDestroyNotify)legend_row_free);
+  GPtrArray *rows = legend_new ();
 
   for (int mark = 0; mark < N_LEGEND_MARKS; mark++)
-    if (marks->shapes[mark] != 0 && mark_texts[mark] != NULL
-        && is_seen (mark, theme))
-      add_row (rows, session, marks, mark);
+    if (is_told_of (marks, mark, theme))
+      g_ptr_array_add (rows,
+                       row_new (session, marks, mark, apex_of (mark, session)));
   g_ptr_array_sort (rows, compare_rows);
   return rows;
+}
+
+/* Of many moments */
+
+GPtrArray *
+legend_new (void)
+{
+  return g_ptr_array_new_with_free_func ((GDestroyNotify)legend_row_free);
+}
+
+static LegendRow *
+find_row (const GPtrArray *rows, int mark)
+{
+  for (guint i = 0; i < rows->len; i++) {
+    LegendRow *row = g_ptr_array_index (rows, i);
+
+    if (row->mark == mark)
+      return row;
+  }
+  return NULL;
+}
+
+/* Adds what a mark means here, where it has meant something else before. */
+static void
+add_meaning (LegendRow *row, const char *text)
+{
+  g_auto (GStrv) known = g_strsplit (row->text, MEANING_BREAK, -1);
+  char *both;
+
+  if (g_strv_contains ((const char *const *)known, text))
+    return;
+  both = g_strconcat (row->text, MEANING_BREAK, text, NULL);
+  g_free (row->text);
+  row->text = both;
+}
+
+/* Nobody has answered on paper, and missed nothing. */
+static char *
+general_text (int mark, Session *session)
+{
+  return mark == ROLE_ANSWER_MISSED ? g_strdup (_ ("the answer"))
+                                    : text_of (mark, session, INDEX_NONE);
+}
+
+void
+legend_gather (GPtrArray *rows,
+               Session *session,
+               const LegendMarks *marks,
+               const Theme *theme)
+{
+  for (int mark = 0; mark < N_LEGEND_MARKS; mark++) {
+    LegendRow *row = find_row (rows, mark);
+    g_autofree char *text = NULL;
+
+    if (mark == LEGEND_OTHER_NEW_CELL || !is_told_of (marks, mark, theme))
+      continue;
+    text = general_text (mark, session);
+    if (row != NULL) {
+      add_meaning (row, text);
+      continue;
+    }
+    row = row_new (session, marks, mark, INDEX_NONE);
+    g_free (row->text);
+    row->text = g_steal_pointer (&text);
+    g_ptr_array_add (rows, row);
+  }
+  g_ptr_array_sort (rows, compare_rows);
 }
 
 gboolean

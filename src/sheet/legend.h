@@ -26,6 +26,15 @@ void legend_row_free (LegendRow *row);
 GPtrArray *
 legend_rows (Session *session, const LegendMarks *marks, const Theme *theme);
 
+/* The same of many moments, in which the current site is another one each: p.
+ *
+ * Returns: (transfer full) (element-type LegendRow): empty. */
+GPtrArray *legend_new (void);
+void legend_gather (GPtrArray *rows,
+                    Session *session,
+                    const LegendMarks *marks,
+                    const Theme *theme);
+
 /* Whether a mark ever has a row. */
 gboolean legend_mark_has_words (int mark);
 

@@ -63,6 +63,17 @@ picture_view (Session *session, MomentView view)
 }
 
 static void
+take_picture (Picture *picture,
+              Session *session,
+              MomentFace face,
+              MomentView view)
+{
+  session_picture (picture, session, picture_view (session, view));
+  if (face == MOMENT_MASKED)
+    picture->look.mask |= MASK_WHY | MASK_ROUND;
+}
+
+static void
 paint (Session *session,
        const Picture *what,
        const Appearance *appearance,
@@ -98,8 +109,36 @@ moment_paint (Session *session,
 {
   Picture picture;
 
-  session_picture (&picture, session, picture_view (session, view));
+  take_picture (&picture, session, MOMENT_SHOWN, view);
   paint (session, &picture, appearance, cr, area);
+}
+
+/* What is in the picture is near enough to what is in this square: marks of
+ * all kinds are about its middle. */
+#define MARKS_REACH 1.3
+
+void
+moment_add_marks (Session *session,
+                  MomentFace face,
+                  MomentView view,
+                  LegendMarks *marks)
+{
+  Picture picture;
+
+  take_picture (&picture, session, face, view);
+  picture.look.low = (Point3){ -MARKS_REACH, -MARKS_REACH, 0 };
+  picture.look.high = (Point3){ MARKS_REACH, MARKS_REACH, 0 };
+  for (int pane = 0; pane < N_PANES; pane++) {
+    const gboolean is_left = picture.view != PICTURE_SPACE;
+    Scene scene = { 0 };
+
+    if (pane == 0 ? !is_left : picture.view == PICTURE_PLANE)
+      continue;
+    picture.fill (&scene, pane, &picture.look, picture.fill_user);
+    legend_marks_add_stock (marks, &scene);
+    legend_marks_add_pointed (marks, &scene);
+    scene_clear (&scene);
+  }
 }
 
 /* Block */
@@ -118,9 +157,7 @@ draw (cairo_t *cr, double width, double height, gpointer data)
   Picture picture;
 
   moment_enter (&drawing->moment);
-  session_picture (&picture, session, picture_view (session, drawing->view));
-  if (drawing->moment.face == MOMENT_MASKED)
-    picture.look.mask |= MASK_WHY | MASK_ROUND;
+  take_picture (&picture, session, drawing->moment.face, drawing->view);
   paint (session, &picture, &drawing->appearance, cr,
          &(cairo_rectangle_t){ 0, 0, width, height });
 }

@@ -5,6 +5,7 @@
 
 #include "appearance.h"
 #include "block.h"
+#include "legend-mark.h"
 #include "session.h"
 
 G_BEGIN_DECLS
@@ -42,6 +43,12 @@ void moment_paint (Session *session,
                    const Appearance *appearance,
                    cairo_t *cr,
                    const cairo_rectangle_t *area);
+
+/* Adds what such a picture shows to @marks, while the session is there. */
+void moment_add_marks (Session *session,
+                       MomentFace face,
+                       MomentView view,
+                       LegendMarks *marks);
 
 /* Returns: (transfer full): a picture of a moment, with a fine frame. */
 Block *moment_block (const Moment *moment,

@@ -1,5 +1,8 @@
 #include "storyboard.h"
 
+#include "legend-block.h"
+#include "legend.h"
+#include "moment.h"
 #include "panel.h"
 #include "pdf.h"
 #include "prose.h"
@@ -16,6 +19,7 @@
 #define FIRST_HEADER 62.0 /* with the lesson's own words */
 #define FOOTER 22.0
 #define GAP 11.0
+#define LEGEND_PT 10.5
 
 typedef struct Board {
   Session *session;
@@ -23,6 +27,7 @@ typedef struct Board {
   Pdf pdf;
   const char *title;
   guint n_panels, n_pages;
+  GPtrArray *legend; /* of LegendRow: what the panels so far show */
 } Board;
 
 static void
@@ -73,6 +78,44 @@ header_height (const Board *board, guint page)
 }
 
 static void
+paint_panel (Board *board, guint index, const cairo_rectangle_t *area)
+{
+  g_autoptr (Panel) panel = panel_new (board->session, index);
+  LegendMarks marks = { 0 };
+  Theme theme;
+
+  pdf_add_outline (&board->pdf, CAIRO_PDF_OUTLINE_ROOT, panel->title, area->x,
+                   area->y);
+  panel_paint (panel, board->session, board->appearance, board->pdf.cr, area);
+  theme_init (&theme, board->appearance);
+  moment_add_marks (board->session, MOMENT_SHOWN, MOMENT_VIEWS, &marks);
+  legend_gather (board->legend, board->session, &marks, &theme);
+}
+
+/* After the last panel, in the place of another one. */
+static void
+paint_legend (Board *board, const cairo_rectangle_t *area)
+{
+  const char *title = _ ("Legend");
+  g_autofree char *markup = g_markup_printf_escaped ("<b>%s</b>", title);
+  g_auto (Press) press;
+  g_autoptr (Block) block = NULL;
+  double top, part;
+
+  press_init (&press);
+  block = legend_block (board->legend, &press, board->appearance, area->width);
+  pdf_add_outline (&board->pdf, CAIRO_PDF_OUTLINE_ROOT, title, area->x,
+                   area->y);
+  top = panel_paint_text (board->pdf.cr, markup, LEGEND_PT, area) + 4;
+  part = MIN (1, (area->height - top) / block->height);
+  cairo_save (board->pdf.cr);
+  cairo_translate (board->pdf.cr, area->x, area->y + top);
+  cairo_scale (board->pdf.cr, part, part);
+  block_paint (block, board->pdf.cr, 0, 0);
+  cairo_restore (board->pdf.cr);
+}
+
+static void
 paint_page (Board *board, guint page)
 {
   const double top = MARGIN + header_height (board, page);
@@ -85,15 +128,11 @@ paint_page (Board *board, guint page)
     const guint index = PER_PAGE * page + i;
     const cairo_rectangle_t area
         = { MARGIN, top + i * (height + GAP), PAGE_WIDTH - 2 * MARGIN, height };
-    g_autoptr (Panel) panel = NULL;
 
-    if (index >= board->n_panels)
-      break;
-    panel = panel_new (board->session, index);
-    pdf_add_outline (&board->pdf, CAIRO_PDF_OUTLINE_ROOT, panel->title, area.x,
-                     area.y);
-    panel_paint (panel, board->session, board->appearance, board->pdf.cr,
-                 &area);
+    if (index < board->n_panels)
+      paint_panel (board, index, &area);
+    else if (index == board->n_panels)
+      paint_legend (board, &area);
   }
   pdf_end_page (&board->pdf);
 }
@@ -114,7 +153,8 @@ storyboard_write (Session *session,
                     ? lesson->title
                     : _ ("A run of QuickHull");
   board.n_panels = panel_count (session);
-  board.n_pages = (board.n_panels + PER_PAGE - 1) / PER_PAGE;
+  board.n_pages = board.n_panels / PER_PAGE + 1;
+  board.legend = legend_new ();
   pdf_begin (&board.pdf, paper_find ("a4"),
              &(PdfWords){ .title = board.title });
   board.pdf.cancellable = cancellable;
@@ -122,6 +162,7 @@ storyboard_write (Session *session,
        page < board.n_pages && !g_cancellable_is_cancelled (cancellable);
        page++)
     paint_page (&board, page);
+  g_ptr_array_unref (board.legend);
   if (session_get_n_stops (session) > 0)
     session_set_stop (session, stop);
   session_set_step (session, step);
