@@ -3,6 +3,7 @@
  * The language is that of LC_ALL and LANGUAGE. */
 #include "code-panel.h"
 #include "document.h"
+#include "hull2vd-application.h"
 #include "hull2vd-window.h"
 #include "locate.h"
 #include "plane-view.h"
