@@ -121,7 +121,7 @@ is_only_light (const SceneItem *item)
 static void
 check_item (const Moment *moment, const Theme *theme, const SceneItem *item)
 {
-  if (item->fade >= 1 || item->role == ROLE_GROUND)
+  if (item->role == ROLE_GROUND)
     return;
   if (!is_only_light (item) && is_seen (theme, item)
       && !is_explained (moment, theme, item))
@@ -245,16 +245,39 @@ check_rows (const Moment *moment, const Theme *theme)
 
 /* Moments */
 
+/* Whether both look the same in every theme. */
+static gboolean
+is_alike (const SceneItem *a, const SceneItem *b)
+{
+  return a->role == b->role && a->shape == b->shape && a->lit == b->lit
+         && a->emphasis == b->emphasis
+         && (a->emphasis != EMPHASIS_LOUD || a->hue == b->hue);
+}
+
+/* Adds one of each of the items of a scene that can be seen. */
 static void
-check_themes (Moment *moment, const Scene *scenes)
+gather (GArray *looks, const Scene *scene)
+{
+  for (guint i = 0; i < scene->n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+    guint k = looks->len;
+
+    while (k > 0 && !is_alike (item, &g_array_index (looks, SceneItem, k - 1)))
+      k--;
+    if (k == 0 && item->fade < 1)
+      g_array_append_val (looks, *item);
+  }
+}
+
+static void
+check_themes (Moment *moment, const GArray *looks)
 {
   for (int kind = 0; kind < N_THEMES; kind++) {
     const Theme *theme = theme_get ((ThemeKind)kind);
 
     moment->rows = legend_rows (moment->session, &moment->marks, theme);
-    for (guint pane = 0; pane < N_PANES; pane++)
-      for (guint i = 0; i < scenes[pane].n_items; i++)
-        check_item (moment, theme, &scenes[pane].items[i]);
+    for (guint i = 0; i < looks->len; i++)
+      check_item (moment, theme, &g_array_index (looks, SceneItem, i));
     check_rows (moment, theme);
     g_ptr_array_unref (moment->rows);
   }
@@ -265,20 +288,22 @@ legend_judge (Session *session, const char *name, guint place)
 {
   SceneLook look = *session_get_look (session);
   Moment moment = { .session = session, .name = name, .place = place };
-  Scene scenes[N_PANES] = { { 0 }, { 0 } };
+  g_autoptr (GArray) looks = g_array_new (FALSE, FALSE, sizeof (SceneItem));
 
   look.low = (Point3){ -1.4, -1.4, 0 };
   look.high = (Point3){ 1.4, 1.4, 0 };
   for (guint pane = 0; pane < N_PANES; pane++) {
+    Scene scene = { 0 };
+
     if (session_get_pane (session, pane) == PANE_NONE)
       continue;
-    session_fill_scene (session, pane, &scenes[pane], &look);
-    legend_marks_add_stock (&moment.marks, &scenes[pane]);
-    legend_marks_add_pointed (&moment.marks, &scenes[pane]);
+    session_fill_scene (session, pane, &scene, &look);
+    legend_marks_add_stock (&moment.marks, &scene);
+    legend_marks_add_pointed (&moment.marks, &scene);
+    gather (looks, &scene);
+    scene_clear (&scene);
   }
-  check_themes (&moment, scenes);
-  for (guint pane = 0; pane < N_PANES; pane++)
-    scene_clear (&scenes[pane]);
+  check_themes (&moment, looks);
 }
 
 void

@@ -123,7 +123,7 @@ point_around (Session *session, guint state)
   const char *what = states[state][1];
 
   for (int kind = OBJECT_NONE + 1; kind <= OBJECT_VERTEX; kind++)
-    for (guint number = 0; number < 40; number += 3) {
+    for (guint number = 0; number < 40; number += 9) {
       session_set_hover (session, (Object){ (ObjectKind)kind, number });
       legend_judge (session, what != NULL ? what : "hover", state);
       session_set_selection (session, (Object){ (ObjectKind)kind, number + 3 });
