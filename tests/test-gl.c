@@ -48,6 +48,7 @@ gl_paint (Gl *gl, const LookScene *look, const Theme *theme, GlTarget target)
   cairo_surface_t *surface;
 
   target.framebuffer = egl_framebuffer_new (side, side);
+  name_places_forget (names_places (gl->names));
   drawing_set (gl->drawing, &look->scene, &look->projection, theme);
   gl_painter_paint (gl->painter, gl->drawing, &target, &error);
   g_assert_no_error (error);
@@ -243,6 +244,7 @@ paint_sketch (Gl *gl, const LookScene *look)
   g_autoptr (GError) error = NULL;
   cairo_surface_t *surface;
 
+  name_places_forget (names_places (gl->names));
   drawing_set_sketch (gl->drawing, &look->scene, &look->projection, look->theme,
                       target.scale);
   gl_painter_paint (gl->painter, gl->drawing, &target, &error);

@@ -55,6 +55,7 @@ typedef struct Stroke {
 typedef struct PlacedName {
   uint32_t name; /* of Drawing.names */
   uint32_t item; /* of the scene */
+  Pixel mark;    /* what it names */
   Pixel at;      /* the upper left corner of its ink, whole pixels */
   Colour colour;
   PixelBox box;

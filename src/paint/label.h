@@ -1,59 +1,86 @@
-/* Labels: where the names of marks go, so that they sit on no mark, on no
- * line and on no other label if there is any room at all, and are nearest to
- * the mark that they name.
+/* Labels: where the names of marks go.
  *
- * What is painted leaves ink in a coarse raster; a label takes the place
- * near its mark with the least ink, the important ones first. */
+ * A name stands well when it lies within the frame, apart from all other names,
+ * on no mark, when it is much nearer to the mark that it names than to any
+ * other that has a name, and no heavy line lies between the two. Of several
+ * such places a name takes the one that covers least of other lines. Where no
+ * place near its mark is such, a name is left out, or a leader tells from a
+ * little further away whose it is.
+ *
+ * A name that had a place in the picture before stays there while it stands
+ * well and covers hardly more than when the place was chosen. */
 #ifndef LABEL_H
 #define LABEL_H
 
 #include "box-index.h"
 #include "clip.h"
 
-#include <cairo.h>
-
 typedef struct LabelSheet LabelSheet;
+
+/* A place round a mark, by direction and distance: whatever the size of name
+ * and mark, it is the same. */
+typedef struct LabelPlace {
+  int slot;    /* LABEL_NOWHERE: none */
+  double cost; /* when it was chosen */
+  bool is_led; /* a leader tells whose name it is */
+} LabelPlace;
+
+#define LABEL_NOWHERE (-1)
+
+/* What becomes of a name without a place where it stands well. */
+typedef enum LabelNeed {
+  LABEL_SHY,        /* it is left out, and also if it would cover anything */
+  LABEL_PLAIN,      /* it is left out */
+  LABEL_MAY_BE_LED, /* it has a leader, if that and it lie on nothing */
+  LABEL_MUST,       /* it is never left out, and placed before the others */
+} LabelNeed;
 
 /* A name to place. */
 typedef struct Label {
-  const char *text; /* borrowed */
-  Pixel at;         /* its mark */
-  double reach;     /* of the mark, px */
+  Pixel at;      /* its mark */
+  double radius; /* of the mark, px, */
+  double reach;  /* and of the ring round it */
   double width, height;
-  bool is_important; /* placed first, and never left out */
-  bool is_centred;   /* best right on its mark */
-  bool is_number;    /* of a line, not the name of a mark: none takes it for
-                        that of another, and it may be further away */
-  uint32_t item;     /* for the caller */
-  bool is_placed;    /* the result: */
-  Pixel low;         /* its upper left corner */
+  LabelNeed need;
+  bool is_centred;  /* best right on its mark */
+  bool is_number;   /* of a line, not the name of a mark: none takes it for
+                       that of another */
+  uint32_t item;    /* for the caller */
+  LabelPlace place; /* that it had before; then the result: */
+  bool is_settled;  /* it has one */
+  Pixel low;        /* its upper left corner */
 } Label;
 
-/* Of a view of this size. Where only @area of it matters, and what labels come
- * into it, the sheet may be as small: nothing outside it is known. */
-LabelSheet *label_sheet_new (double width, double height, const PixelBox *area);
+/* Of a view whose names have to stay in @frame. */
+LabelSheet *label_sheet_new (const PixelBox *frame);
 void label_sheet_free (LabelSheet *sheet);
 
-/* What labels should keep off. A heavier line is worse to cover. */
-void label_sheet_line (LabelSheet *sheet, const Pixel ends[2], double width_px);
-void label_sheet_mark (LabelSheet *sheet, Pixel at, double reach);
+/* Of lines with more ink across, more is covered. */
+typedef enum LabelLine {
+  LABEL_LINE_LIGHT,
+  LABEL_LINE_HEAVY, /* must not lie between a name and its mark */
+  LABEL_LINE_CLEAR, /* nor under a name */
+} LabelLine;
 
-/* A mark whose name is not among those to be placed, or that has none: none of
- * these should seem to be it. */
-void label_sheet_named (LabelSheet *sheet, Pixel at, double reach);
+/* What labels should keep off. A mark @is_named when a name beside it would
+ * seem to be its own. */
+void label_sheet_line (LabelSheet *sheet,
+                       const Pixel ends[2],
+                       double width_px,
+                       LabelLine kind);
+void label_sheet_mark (
+    LabelSheet *sheet, Pixel at, double radius, double reach, bool is_named);
 
-/* A name that may be covered, though it is a pity. */
-void label_sheet_name (LabelSheet *sheet, const PixelBox *box);
+/* A name that has its place; one that is not fixed may be covered, though it is
+ * a pity. */
+void label_sheet_name (LabelSheet *sheet, const PixelBox *box, bool is_fixed);
 
-/* Places all labels that find room. */
+/* Places all labels that find room. Their marks are named, whether they have
+ * been added or not. */
 void label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels);
 
-/* Places all labels, each over what is the least pity. */
-void
-label_sheet_place_over (LabelSheet *sheet, Label *labels, uint32_t n_labels);
-
-/* Nothing further from its mark than this, beyond reach and size of a label,
- * is a place for it. */
-#define LABEL_NEAR_PX 30.0
+/* Nothing further from its mark than this, beyond reach and size of a label, is
+ * of concern to it, px. */
+#define LABEL_NEAR_PX 74.0
 
 #endif

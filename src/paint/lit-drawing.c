@@ -48,41 +48,29 @@ list_items (const Scene *scene, uint32_t *n_items)
   return items;
 }
 
-/* The ink alone: casings may touch. */
-static PixelBox
-letters_of (const PlacedName *placed)
-{
-  PixelBox box = placed->box;
-
-  box.left += (float)NAME_CASING - 1;
-  box.top += (float)NAME_CASING - 1;
-  box.right -= (float)NAME_CASING - 1;
-  box.bottom -= (float)NAME_CASING - 1;
-  return box;
-}
-
-static bool
-is_covered (const PlacedName *placed, const Drawing *lit)
-{
-  const PixelBox box = letters_of (placed);
-  uint32_t i;
-
-  for (i = 0; i < lit->n_placed; i++) {
-    const PixelBox over = letters_of (&lit->placed[i]);
-
-    if (boxes_meet (&box, &over))
-      return true;
-  }
-  return false;
-}
-
 static bool
 is_hidden (const LitDrawing *light,
            const Scene *scene,
            const PlacedName *placed)
 {
-  return scene->items[placed->item].lit != LIT_NONE
-         || is_covered (placed, light->lit);
+  return painter_takes_name (scene, light->lit, placed);
+}
+
+/* Whether the stroke leads to a name that is hidden. */
+static bool
+is_hidden_leader (const LitDrawing *light,
+                  const Drawing *stock,
+                  const Scene *scene,
+                  const Stroke *stroke)
+{
+  uint32_t i;
+
+  if (!painter_is_leader (stroke))
+    return false;
+  for (i = 0; i < stock->n_placed; i++)
+    if (stock->placed[i].item == stroke->place.item)
+      return is_hidden (light, scene, &stock->placed[i]);
+  return false;
 }
 
 static void
@@ -93,6 +81,15 @@ hide_names (LitDrawing *light, const Drawing *stock, const Scene *scene)
   for (i = 0; i < stock->n_placed; i++)
     if (is_hidden (light, scene, &stock->placed[i]))
       drawing_add_name (light->plain, &stock->placed[i]);
+  /* They are the last strokes. */
+  for (i = stock->n_strokes;
+       i > 0 && painter_is_leader (&stock->strokes[i - 1]); i--) {
+    const Stroke *stroke = &stock->strokes[i - 1];
+
+    if (is_hidden_leader (light, stock, scene, stroke))
+      drawing_add_copy (light->plain, stock, stroke)->style
+          = drawing_add_style (light->plain, &stock->styles[stroke->style]);
+  }
 }
 
 void
@@ -260,7 +257,8 @@ lit_drawing_merge (const LitDrawing *light,
     const Stroke *stroke = &stock->strokes[number];
 
     merge_bare (light, stock, number, &run, &n_merged, to);
-    if (!is_lit (scene, stroke))
+    if (!is_lit (scene, stroke)
+        && !is_hidden_leader (light, stock, scene, stroke))
       merge_stroke (light, stock, stroke, &n_merged, to);
   }
   merge_bare (light, stock, stock->n_strokes, &run, &n_merged, to);

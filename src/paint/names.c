@@ -24,6 +24,7 @@ struct Names {
   uint32_t edition;
   PangoLayout *layout;
   GArray *names;
+  NamePlaces *places;
   GHashTable *numbers; /* text with its face as the first letter → number + 1 */
 };
 
@@ -60,6 +61,7 @@ new_with_fonts (PangoFontMap *fonts)
   Names *names = g_new0 (Names, 1);
 
   names->layout = layout_new (fonts);
+  names->places = name_places_new ();
   names->names = g_array_new (FALSE, TRUE, sizeof (Name));
   g_array_set_clear_func (names->names, clear_name);
   names->numbers
@@ -86,6 +88,7 @@ names_new_apart (void)
 void
 names_free (Names *names)
 {
+  name_places_free (names->places);
   g_hash_table_unref (names->numbers);
   g_array_unref (names->names);
   g_object_unref (names->layout);
@@ -107,7 +110,14 @@ names_begin (Names *names, const Theme *theme)
   names->has_plates = theme->has_plates;
   g_hash_table_remove_all (names->numbers);
   g_array_set_size (names->names, 0);
+  name_places_forget (names->places);
   return ++names->edition;
+}
+
+NamePlaces *
+names_places (const Names *names)
+{
+  return names->places;
 }
 
 static void

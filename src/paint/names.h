@@ -3,6 +3,7 @@
 #define NAMES_H
 
 #include "clip.h"
+#include "name-places.h"
 #include "theme.h"
 
 #include <cairo.h>
@@ -42,6 +43,9 @@ void names_free (Names *names);
  *
  * Returns: the edition, which is another whenever this happens. */
 uint32_t names_begin (Names *names, const Theme *theme);
+
+/* Returns: where the names stand, borrowed. */
+NamePlaces *names_places (const Names *names);
 
 /* Returns: the number of a name; the same for the same text and face. */
 uint32_t names_find (Names *names, const char *text, NameFace face);

@@ -175,9 +175,18 @@ painter_add_sheet (Painter *painter, const PaintOrder *order, bool is_near);
 /* Adds names of the stock where they find room. */
 void painter_add_names (Painter *painter);
 
+/* Whether the name of an item of the stock is not where it was any more: that
+ * of what is lit, one under the names of that, and one over a gap. */
+bool painter_takes_name (const Scene *scene,
+                         const Drawing *lit,
+                         const PlacedName *placed);
+
+/* Whether a stroke of the stock is the leader of a name. */
+bool painter_is_leader (const Stroke *stroke);
+
 /* Adds the names of @n items that are lit or pointed at, each where it covers
- * least of @stock and of the strokes so far. @strokes lists those of the
- * stock; NULL: all are looked through. */
+ * least of @stock and of the strokes so far, and the names that make way.
+ * @strokes lists those of the stock; NULL: all are looked through. */
 void painter_add_lit_names (Painter *painter,
                             const uint32_t *items,
                             uint32_t n,

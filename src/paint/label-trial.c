@@ -1,0 +1,357 @@
+#include "label-trial.h"
+
+#include <float.h>
+#include <math.h>
+
+static const double gaps[N_GAPS] = { 1.5, 5, 8.5, 12, 18, 26, 36, 44 };
+
+/* What is best right on its mark is moved by little from there. */
+#define CENTRED_STEP 1.6
+
+/* What a place costs besides ink. */
+#define COST_GAP 2.5 /* each px */
+#define COST_OFF 5.0 /* the same for what is best right on its mark */
+#define COST_DIRECTION 0.1
+
+/* What it costs not to stand well. */
+#define COST_OUTSIDE 4000.0
+#define COST_NAME 2000.0
+#define COST_PITY 160.0
+#define COST_MARK 300.0
+#define COST_LEADER 200.0
+#define COST_SHORT 40.0 /* a leader that is hardly seen */
+#define COST_MISTAKEN 110.0
+#define COST_BETWEEN 90.0
+
+/* Another mark is this many times as far from a name as its own, and so many
+ * px more; further away there is a leader anyway. */
+#define NEARER 2.0
+#define NEARER_PX 2.5
+#define NEARER_MOST_PX 30.0
+
+/* Less than that, this part of it, will do for a name to stay where it is. */
+#define HELD 0.75
+
+/* Between two names side by side, parts of their height. */
+#define APART 0.6
+
+#define SHORT_GAP 8.0
+
+/* Beyond this gap one looks for the mark of a name, px. */
+#define LEADER_GAP 13.0
+
+double
+label_gap (int i)
+{
+  return gaps[i];
+}
+
+/* How far other marks have to be from a label with this gap. */
+static double
+far_enough (const Label *label, double gap)
+{
+  const double own = label->reach - label->radius + gap;
+
+  return MIN (NEARER * own + NEARER_PX, NEARER_MOST_PX);
+}
+
+double
+label_reach (const Label *label, double gap)
+{
+  return label->reach + gap + far_enough (label, gap);
+}
+
+/* Directions fan out from the upper right to both sides. On the right the box
+ * slides along the mark, in a corner it turns round it: from everywhere the gap
+ * is the same. */
+static Pixel
+middle_at (const Label *label, int direction, double radius)
+{
+  const int side = direction % 2 == 0 ? direction / 2 : -(direction + 1) / 2;
+  const int eighth = (side + 2 + N_DIRECTIONS) % N_DIRECTIONS;
+  const int quarter = ((eighth + 1) / 4) % 4;
+  const double slide = 0.5 * ((eighth + 1) % 4 - 1);
+  const double width = label->width / 2, height = label->height / 2;
+  double x, y;
+
+  /* Quarters: right, up, left, down; within one, a third of the side each, and
+   * then the corner. */
+  if ((eighth + 1) % 4 == 3) {
+    const double along = radius * G_SQRT2 / 2;
+
+    x = quarter == 0 || quarter == 3 ? along + width : -along - width;
+    y = quarter < 2 ? -along - height : along + height;
+  } else if (quarter % 2 == 0) {
+    x = quarter == 0 ? radius + width : -radius - width;
+    y = (quarter == 0 ? -slide : slide) * height;
+  } else {
+    x = (quarter == 1 ? -slide : slide) * width;
+    y = quarter == 1 ? -radius - height : radius + height;
+  }
+  return (Pixel){ label->at.x + x, label->at.y + y };
+}
+
+/* From the middle of a facet the name goes a little to one side. */
+static Pixel
+middle_off (const Label *label, int direction, double gap)
+{
+  const Pixel at = label->at;
+  const Pixel far = middle_at (label, direction, 1);
+  const double length = hypot (far.x - at.x, far.y - at.y);
+  const double part = CENTRED_STEP * gap / length;
+
+  return (Pixel){ at.x + part * (far.x - at.x), at.y + part * (far.y - at.y) };
+}
+
+LabelTrial
+label_trial (const Label *label, int slot)
+{
+  const int direction = (slot - SLOT_ROUND) % N_DIRECTIONS;
+  LabelTrial trial = { .gap = 0 };
+  Pixel middle = label->at;
+
+  if (slot >= SLOT_ROUND) {
+    trial.gap = gaps[(slot - SLOT_ROUND) / N_DIRECTIONS];
+    middle = label->is_centred
+                 ? middle_off (label, direction, trial.gap)
+                 : middle_at (label, direction, label->reach + trial.gap);
+    /* Earlier directions win ties. */
+    trial.cost = COST_DIRECTION * direction
+                 + trial.gap * (label->is_centred ? COST_OFF : COST_GAP);
+  }
+  trial.box = (PixelBox){ (float)(middle.x - label->width / 2),
+                          (float)(middle.y - label->height / 2),
+                          (float)(middle.x + label->width / 2),
+                          (float)(middle.y + label->height / 2) };
+  return trial;
+}
+
+/* Faults */
+
+/* Whether it is not lost yet: after that nothing else is looked for. */
+static bool
+is_borne (const LabelTrial *trial, LabelPatience patience)
+{
+  if (trial->cost + trial->fault + trial->doubt >= trial->most)
+    return false;
+  return patience == BEARS_ALL
+         || (!(trial->fault > 0)
+             && (patience == BEARS_DOUBT || !(trial->doubt > 0)));
+}
+
+/* From a box to a place, squared. */
+static double
+square_to (const PixelBox *box, Pixel at)
+{
+  const double x = MAX (MAX (box->left - at.x, at.x - box->right), 0);
+  const double y = MAX (MAX (box->top - at.y, at.y - box->bottom), 0);
+
+  return x * x + y * y;
+}
+
+static double
+fault_of_frame (const PixelBox *frame, const PixelBox *box)
+{
+  return box->left >= frame->left && box->right <= frame->right
+                 && box->top >= frame->top && box->bottom <= frame->bottom
+             ? 0
+             : COST_OUTSIDE;
+}
+
+static double
+fault_of_names (const LabelNear *near, const LabelTrial *trial)
+{
+  const PixelBox *box = &trial->box;
+  const float part = (float)(trial->is_held ? HELD * APART : APART);
+  const float apart = part * (box->bottom - box->top);
+  const PixelBox wide
+      = { box->left - apart, box->top, box->right + apart, box->bottom };
+  double fault = 0;
+
+  for (guint i = 0; i < near->names->len; i++) {
+    const FieldName *name = &g_array_index (near->names, FieldName, i);
+
+    if (boxes_meet (&name->box, name->is_fixed ? &wide : box))
+      fault += name->is_fixed ? COST_NAME : COST_PITY;
+  }
+  return fault;
+}
+
+static bool
+segment_meets (const Pixel ends[2], const PixelBox *box)
+{
+  Pixel cut[2] = { ends[0], ends[1] };
+
+  return clip_to_rectangle ((Pixel){ box->left, box->top },
+                            (Pixel){ box->right, box->bottom }, cut);
+}
+
+/* Marks in the same place share their name. */
+static bool
+is_own (const Label *label, Pixel at)
+{
+  return fabs (at.x - label->at.x) + fabs (at.y - label->at.y) <= 1;
+}
+
+static void
+find_marks (const LabelNear *near,
+            const Label *label,
+            LabelPatience patience,
+            LabelTrial *trial)
+{
+  const double nearest
+      = far_enough (label, trial->gap) * (trial->is_held ? HELD : 1);
+  const bool may_be_mistaken = !label->is_number && !label->is_centred;
+
+  for (guint i = 0; i < near->marks->len && is_borne (trial, patience); i++) {
+    const FieldMark *mark = &g_array_index (near->marks, FieldMark, i);
+    const double square = square_to (&trial->box, mark->at);
+    const double reach = trial->is_held ? mark->radius : mark->reach;
+    const double needed = mark->radius + nearest;
+    const bool is_others = !is_own (label, mark->at);
+
+    if (square < reach * reach && (is_others || !label->is_centred))
+      trial->fault += COST_MARK;
+    if (may_be_mistaken && mark->is_named && is_others
+        && square < needed * needed)
+      trial->doubt = COST_MISTAKEN;
+  }
+}
+
+/* Twice the area of a triangle; positive when it turns left. */
+static double
+turn (Pixel a, Pixel b, Pixel c)
+{
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+static bool
+segments_cross (Pixel a, Pixel b, Pixel c, Pixel d)
+{
+  return (turn (a, b, c) > 0) != (turn (a, b, d) > 0)
+         && (turn (c, d, a) > 0) != (turn (c, d, b) > 0);
+}
+
+/* A line lies between when it is crossed on the way from the mark to the middle
+ * of the name. */
+static void
+find_lines (const LabelNear *near, const Label *label, LabelTrial *trial)
+{
+  const Pixel middle = { (trial->box.left + trial->box.right) / 2,
+                         (trial->box.top + trial->box.bottom) / 2 };
+
+  if (label->is_number || label->is_centred)
+    return;
+  for (guint i = 0; i < near->lines->len; i++) {
+    const FieldLine *line = &g_array_index (near->lines, FieldLine, i);
+
+    if (line->is_heavy
+        && segments_cross (label->at, middle, line->ends[0], line->ends[1])) {
+      trial->doubt += COST_BETWEEN;
+      return;
+    }
+  }
+}
+
+/* The length of a line in a box, px. */
+static double
+length_under (const FieldLine *line, const PixelBox *box)
+{
+  const Pixel low = { box->left - line->reach, box->top - line->reach };
+  const Pixel high = { box->right + line->reach, box->bottom + line->reach };
+  Pixel ends[2] = { line->ends[0], line->ends[1] };
+
+  if (MAX (ends[0].x, ends[1].x) < low.x || MIN (ends[0].x, ends[1].x) > high.x
+      || MAX (ends[0].y, ends[1].y) < low.y
+      || MIN (ends[0].y, ends[1].y) > high.y
+      || !clip_to_rectangle (low, high, ends))
+    return 0;
+  return hypot (ends[1].x - ends[0].x, ends[1].y - ends[0].y);
+}
+
+/* Returns: the ink that a box covers; something above @most when it is more. */
+static double
+ink_under (const LabelNear *near, const PixelBox *box, double most)
+{
+  double ink = 0;
+
+  for (guint i = 0; i < near->lines->len && ink <= most; i++) {
+    const FieldLine *line = &g_array_index (near->lines, FieldLine, i);
+
+    ink += line->ink * length_under (line, box);
+  }
+  return ink;
+}
+
+/* From a place to a segment. */
+static double
+distance_from (Pixel at, const Pixel ends[2])
+{
+  const double dx = ends[1].x - ends[0].x, dy = ends[1].y - ends[0].y;
+  const double along = (at.x - ends[0].x) * dx + (at.y - ends[0].y) * dy;
+  const double length = dx * dx + dy * dy;
+  const double part = length > 0 ? CLAMP (along / length, 0, 1) : 0;
+
+  return hypot (ends[0].x + part * dx - at.x, ends[0].y + part * dy - at.y);
+}
+
+void
+label_leader (const Label *label, const PixelBox *box, Pixel ends[2])
+{
+  ends[0] = label->at;
+  ends[1] = (Pixel){ CLAMP (label->at.x, box->left, box->right),
+                     CLAMP (label->at.y, box->top, box->bottom) };
+}
+
+bool
+label_trial_is_led (const LabelTrial *trial, const Label *label)
+{
+  return !label->is_centred && !label->is_number
+         && (trial->doubt + trial->fault > 0 || trial->gap > LEADER_GAP);
+}
+
+/* A leader runs over no other mark or name. */
+static double
+fault_of_leader (const LabelNear *near, const Label *label, LabelTrial *trial)
+{
+  Pixel ends[2];
+
+  if (trial->gap < SHORT_GAP)
+    trial->cost += COST_SHORT;
+  label_leader (label, &trial->box, ends);
+  for (guint i = 0; i < near->marks->len; i++) {
+    const FieldMark *mark = &g_array_index (near->marks, FieldMark, i);
+
+    if (!is_own (label, mark->at)
+        && distance_from (mark->at, ends) < mark->radius)
+      return COST_LEADER;
+  }
+  for (guint i = 0; i < near->names->len; i++)
+    if (segment_meets (ends, &g_array_index (near->names, FieldName, i).box))
+      return COST_LEADER;
+  return 0;
+}
+
+void
+label_trial_judge (LabelTrial *trial,
+                   const Label *label,
+                   const LabelNear *near,
+                   const PixelBox *frame,
+                   LabelPatience patience)
+{
+  trial->fault = fault_of_frame (frame, &trial->box);
+  if (is_borne (trial, patience))
+    trial->fault += fault_of_names (near, trial);
+  if (is_borne (trial, patience))
+    find_marks (near, label, patience, trial);
+  if (is_borne (trial, patience))
+    find_lines (near, label, trial);
+  if (is_borne (trial, patience) && label_trial_is_led (trial, label))
+    trial->fault += fault_of_leader (near, label, trial);
+  if (!is_borne (trial, patience)) {
+    trial->cost = DBL_MAX;
+    return;
+  }
+  trial->cost += trial->fault + trial->doubt;
+  trial->cost += ink_under (near, &trial->box, trial->most - trial->cost);
+}

@@ -1,0 +1,88 @@
+/* Leaders: thin lines from marks to names that had to go further away. */
+#include "painter-label.h"
+
+#include <math.h>
+#include <string.h>
+
+#define LEADER_PX 1.2
+#define LEADER_CASING_PX 2.6
+#define LEAST_PX 1.0 /* a shorter one is none */
+
+static Style
+leader_style (const Painter *painter)
+{
+  const double factor = sqrt (painter->theme->line_factor);
+  Style style;
+
+  memset (&style, 0, sizeof style);
+  style.line = painter->theme->text;
+  style.width = LEADER_PX * factor;
+  style.casing = style.width + LEADER_CASING_PX * factor;
+  return style;
+}
+
+/* The styles of the drawing before are there already: one is enough. */
+static uint32_t
+number_style (Painter *painter)
+{
+  const Style style = leader_style (painter);
+  const Drawing *drawing = painter->drawing;
+
+  for (uint32_t i = drawing->n_styles; i-- > 0;) {
+    const Style *known = &drawing->styles[i];
+
+    if (known->mark == MARK_NONE && !(known->fill.alpha > 0)
+        && !(known->dash > 0) && known->width == style.width
+        && known->casing == style.casing
+        && colour_equal (known->line, style.line))
+      return i;
+  }
+  return drawing_add_style (painter->drawing, &style);
+}
+
+/* From the ink of the mark to the nearest place of the name. */
+static bool
+find_ends (const Label *label, Pixel ends[2])
+{
+  const Pixel to
+      = { CLAMP (label->at.x, label->low.x, label->low.x + label->width),
+          CLAMP (label->at.y, label->low.y, label->low.y + label->height) };
+  const double dx = to.x - label->at.x, dy = to.y - label->at.y;
+  const double length = hypot (dx, dy);
+
+  if (length < label->radius + LEAST_PX)
+    return false;
+  ends[0] = (Pixel){ label->at.x + dx * label->radius / length,
+                     label->at.y + dy * label->radius / length };
+  ends[1] = to;
+  return true;
+}
+
+bool
+painter_is_leader (const Stroke *stroke)
+{
+  return stroke->place.anchor == INDEX_NONE;
+}
+
+void
+painter_add_leader (Painter *painter, const Label *label)
+{
+  static const StrokeKind kinds[2] = { STROKE_CASING, STROKE_LINE };
+  const uint32_t style = number_style (painter);
+  Drawing *drawing = painter->drawing;
+  Pixel ends[2];
+
+  if (!find_ends (label, ends))
+    return;
+  drawing->in_hand
+      = (StrokePlace){ label->item, INDEX_NONE, N_PAINT_LAYERS - 1 };
+  drawing->key = 0;
+  painter->first_new = drawing->n_strokes;
+  for (int i = 0; i < 2; i++) {
+    stroke_begin (drawing, kinds[i], style);
+    stroke_add (drawing, ends[0]);
+    stroke_add (drawing, ends[1]);
+    stroke_end (drawing);
+  }
+  painter_note_new (painter);
+}
