@@ -1,6 +1,7 @@
 /* Handouts of one lesson, in all parts. What poppler reads in them is judged
  * by test-handout-cli.py. */
 #include "handout.h"
+#include "learner.h"
 #include "moment.h"
 
 #include <string.h>
@@ -25,23 +26,10 @@ static const char lesson_text[]
       "## Seventh\n\n```ask\ncomplete\ndrag s4 until only-upper\n```\n\n"
       "## Eighth\n\n```ask\ncomplete\nalways cone = visible + 2\n```\n";
 
-static Session *
-session_with_lesson (void)
-{
-  g_autoptr (GError) error = NULL;
-  g_autoptr (Lesson) lesson
-      = lesson_parse (lesson_text, strlen (lesson_text), "test.md", &error);
-  Session *session = session_new ();
-
-  g_assert_no_error (error);
-  session_set_lesson (session, lesson);
-  return session;
-}
-
 static GBytes *
 write_handout (const HandoutOptions *options)
 {
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
   g_autoptr (Handout) handout = handout_new (session, options);
   g_autoptr (GError) error = NULL;
   GByteArray *bytes = g_byte_array_new ();
@@ -85,7 +73,7 @@ test_same_bytes (void)
 static void
 test_pages_are_painted_by_themselves (void)
 {
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
   g_autoptr (Handout) handout = NULL;
   HandoutOptions options;
 
@@ -156,7 +144,7 @@ static void
 test_masked_pictures_tell_nothing (void)
 {
   static const Phase phases[] = { PHASE_SEE, PHASE_HORIZON, PHASE_CONE };
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
 
   for (guint i = 0; i < G_N_ELEMENTS (phases); i++) {
     g_assert_true (
@@ -171,7 +159,7 @@ test_masked_pictures_tell_nothing (void)
 static void
 test_full_disk (void)
 {
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
   g_autoptr (GError) error = NULL;
   FILE *file = fopen ("/dev/full", "wb");
   g_autoptr (Handout) handout = NULL;
@@ -197,7 +185,7 @@ count_changes (Session *session, guint changes, gpointer user)
 static void
 test_given_up (void)
 {
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
   g_autoptr (GCancellable) wanted = g_cancellable_new ();
   g_autoptr (GError) error = NULL;
   g_autoptr (Handout) handout = NULL;

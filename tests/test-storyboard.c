@@ -1,3 +1,4 @@
+#include "learner.h"
 #include "panel.h"
 #include "storyboard.h"
 
@@ -46,19 +47,6 @@ static const char lesson_text[]
       "goto round 1 hand-over\n"
       "```\n";
 
-static Session *
-session_with_lesson (void)
-{
-  g_autoptr (GError) error = NULL;
-  g_autoptr (Lesson) lesson
-      = lesson_parse (lesson_text, strlen (lesson_text), "test.md", &error);
-  Session *session = session_new ();
-
-  g_assert_no_error (error);
-  session_set_lesson (session, lesson);
-  return session;
-}
-
 static GString *
 write_board_in (Session *session, ThemeKind theme)
 {
@@ -100,7 +88,7 @@ count (const GString *bytes, const char *words)
 static void
 test_pages (void)
 {
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
   GString *bytes = write_board (session);
 
   g_assert_cmpuint (count (bytes, "<< /Type /Page "), ==, 2);
@@ -115,8 +103,8 @@ test_pages (void)
 static void
 test_same_bytes (void)
 {
-  g_autoptr (Session) session = session_with_lesson ();
-  g_autoptr (Session) again = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
+  g_autoptr (Session) again = learner_open (lesson_text, NULL);
   GString *first = write_board (session);
   GString *second = write_board (session);
   GString *third = write_board (again);
@@ -131,7 +119,7 @@ test_same_bytes (void)
 static void
 test_left_as_found (void)
 {
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
   guint step;
   GString *bytes;
 
@@ -172,7 +160,7 @@ test_questions_are_asked (void)
 static void
 test_themes_matter (void)
 {
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
   g_autoptr (GHashTable) seen
       = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
 
@@ -209,7 +197,7 @@ test_rounds (void)
 static void
 test_full_disk (void)
 {
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
   g_autoptr (GError) error = NULL;
   FILE *file = fopen ("/dev/full", "wb");
   Appearance appearance;
@@ -242,7 +230,7 @@ note_stop (Session *session, guint changes, gpointer user)
 static void
 test_given_up (void)
 {
-  g_autoptr (Session) session = session_with_lesson ();
+  g_autoptr (Session) session = learner_open (lesson_text, NULL);
   g_autoptr (GCancellable) wanted = g_cancellable_new ();
   g_autoptr (GError) error = NULL;
   FILE *file = tmpfile ();

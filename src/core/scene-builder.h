@@ -97,10 +97,6 @@ Lit scene_lit (const SceneBuilder *builder, Object object);
 /* Returns: how loud a role is at this step. */
 Emphasis scene_emphasis (const SceneBuilder *builder, Role role);
 
-/* Returns: the facets that are lit, ascending, of those that are in the frame;
- *          free with free(). */
-uint32_t *scene_lit_facets (const SceneBuilder *builder, uint32_t *n_facets);
-
 /* Items of the stock by object: the first one, the next one after @item that
  * has the same object; or INDEX_NONE. */
 void scene_index_renew (Scene *scene);

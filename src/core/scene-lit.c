@@ -213,8 +213,10 @@ list_facets (FacetList *list, const SceneBuilder *builder, Object object)
       add_to_list (list, builder, delaunay->triangles[i].facet);
 }
 
-uint32_t *
-scene_lit_facets (const SceneBuilder *builder, uint32_t *n_facets)
+/* Returns: the facets that are lit, ascending, of those that are in the frame;
+ *          free with free(). */
+static uint32_t *
+lit_facets (const SceneBuilder *builder, uint32_t *n_facets)
 {
   FacetList list = { NULL, 0, 0 };
 
@@ -232,7 +234,7 @@ scene_add_lit_facets (SceneBuilder *builder, bool lifted)
 {
   const Trace *trace = builder->frame->trace;
   uint32_t i, n;
-  uint32_t *facets = scene_lit_facets (builder, &n);
+  uint32_t *facets = lit_facets (builder, &n);
 
   for (i = 0; i < n; i++)
     if (lifted || trace->is_flat
@@ -266,7 +268,7 @@ add_upper_circles (SceneBuilder *builder, const Point3 box[2])
 {
   const Trace *trace = builder->frame->trace;
   uint32_t i, n;
-  uint32_t *facets = scene_lit_facets (builder, &n);
+  uint32_t *facets = lit_facets (builder, &n);
 
   for (i = 0; i < n && !trace->is_flat; i++) {
     const uint32_t roles = scene_roles (builder, facets[i]);

@@ -36,7 +36,7 @@ static const Manner led_manner = { 6, 300, BEARS_DOUBT };
 struct LabelSheet {
   PixelBox frame;
   LabelField *field;
-  LabelNear near; /* the label in hand */
+  LabelNear near; /* the current label */
 };
 
 LabelSheet *
