@@ -2,6 +2,10 @@
 
 #include "session-picture.h"
 
+#include <glib/gi18n.h>
+
+#define MARGIN_PX 12 /* beside words that stand for a picture */
+
 /* Marks and names are as large beside a picture of a third of the window's
  * size as they are in the window. */
 #define SHRINK 1.6
@@ -16,11 +20,47 @@ struct _SmallPicture {
 G_DEFINE_TYPE (SmallPicture, small_picture, GTK_TYPE_DRAWING_AREA)
 
 static gboolean
-has_picture (SmallPicture *picture)
+is_too_large (SmallPicture *picture)
 {
-  return picture->session != NULL
-         && session_get_set (picture->session)->n_sites
-                <= SMALL_PICTURE_MOST_SITES;
+  return session_get_set (picture->session)->n_sites > SMALL_PICTURE_MOST_SITES;
+}
+
+static char *
+excuse_text (void)
+{
+  return g_strdup_printf (_ ("There is no small picture of more than %u sites: "
+                             "look at the window of the class."),
+                          SMALL_PICTURE_MOST_SITES);
+}
+
+/* Nobody wonders why there is no picture. */
+static void
+draw_excuse (GtkWidget *widget, cairo_t *cr)
+{
+  const int width = gtk_widget_get_allocated_width (widget) - 2 * MARGIN_PX;
+  g_autofree char *text = excuse_text ();
+  g_autoptr (PangoLayout) layout
+      = gtk_widget_create_pango_layout (widget, text);
+  int height;
+
+  pango_layout_set_width (layout, MAX (width, 1) * PANGO_SCALE);
+  pango_layout_set_wrap (layout, PANGO_WRAP_WORD_CHAR);
+  pango_layout_set_alignment (layout, PANGO_ALIGN_CENTER);
+  pango_layout_get_pixel_size (layout, NULL, &height);
+  gtk_render_layout (
+      gtk_widget_get_style_context (widget), cr, MARGIN_PX,
+      MAX (0, gtk_widget_get_allocated_height (widget) - height) / 2.0, layout);
+}
+
+static void
+tell_excuse (SmallPicture *picture)
+{
+  AtkObject *accessible = gtk_widget_get_accessible (GTK_WIDGET (picture));
+  g_autofree char *text = picture->session != NULL && is_too_large (picture)
+                              ? excuse_text ()
+                              : g_strdup ("");
+
+  atk_object_set_description (accessible, text);
 }
 
 static void
@@ -54,8 +94,12 @@ small_picture_draw (GtkWidget *widget, cairo_t *cr)
   const int width = gtk_widget_get_allocated_width (widget);
   const int height = gtk_widget_get_allocated_height (widget);
 
-  if (!has_picture (picture))
+  if (picture->session == NULL)
     return FALSE;
+  if (is_too_large (picture)) {
+    draw_excuse (widget, cr);
+    return FALSE;
+  }
   if (picture->surface == NULL) {
     cairo_t *own;
 
@@ -74,6 +118,7 @@ void
 small_picture_changed (SmallPicture *picture)
 {
   forget (picture);
+  tell_excuse (picture);
   gtk_widget_queue_draw (GTK_WIDGET (picture));
 }
 

@@ -8,7 +8,7 @@
 
 G_BEGIN_DECLS
 
-/* What has more sites is no small picture: it is not painted. */
+/* Of more sites there is no small picture: a sentence in its place says so. */
 #define SMALL_PICTURE_MOST_SITES 2000
 
 #define SMALL_PICTURE_TYPE (small_picture_get_type ())
