@@ -213,6 +213,35 @@ def check_replay(language):
     return faults + ([] if title in other else [f"no title {title}"])
 
 
+BROKEN = """# A
+
+```lesson
+format 1
+sites 0 0; 1 1; 2 0
+```
+
+## S
+
+```steps
+sites 0 0; 1
+```
+"""
+
+
+def check_faults(language):
+    """What is wrong with a site is said in the person's language."""
+    environment = dict(os.environ, LC_ALL=LOCALES[language], LANGUAGE="")
+    reason = next(entry.strings[0] for entry in catalog("po", language)
+                  if entry.ids == ["expected two numbers, found only one"])
+    with tempfile.NamedTemporaryFile("w", suffix=".md") as lesson:
+        lesson.write(BROKEN)
+        lesson.flush()
+        told = subprocess.run([CLI, "lint", lesson.name], env=environment,
+                              capture_output=True, text=True, check=False)
+    words = told.stdout + told.stderr
+    return [] if f":11:1: {reason}" in words else [words]
+
+
 CHECKS = [
     ("every-string-has-a-translation", check_complete),
     ("every-file-with-words-is-gathered", check_gathered),
@@ -224,6 +253,7 @@ CHECKS = [
     ("mnemonics-are-kept", check_mnemonics),
     ("loud-words-are-in-the-sentences", check_narration),
     ("lessons-replay-the-same", check_replay),
+    ("faults-of-sites-are-told-in-it", check_faults),
 ]
 
 print(f"1..{len(CHECKS) * len(LOCALES)}")

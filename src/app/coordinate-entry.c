@@ -86,7 +86,9 @@ on_activate (GtkEntry *entry, CoordinateEntry *self)
     return;
   }
   fault = site_file_parse_line (text, strlen (text), &site);
-  if (fault == NULL && !put_site (self, site, &error))
+  if (fault != NULL)
+    fault = _ (fault);
+  else if (!put_site (self, site, &error))
     fault = error->message;
   say_fault (self, fault);
   if (fault != NULL)

@@ -50,6 +50,29 @@ on_scrolled (GtkAdjustment *adjustment, GtkWidget *rows)
     update (rows);
 }
 
+/* What is never cut need not fade at the edges: for the style sheet. */
+static void
+set_class (GtkWidget *view, gboolean is_seen)
+{
+  GtkStyleContext *style
+      = gtk_widget_get_style_context (gtk_widget_get_parent (view));
+
+  if (is_seen)
+    gtk_style_context_add_class (style, "whole-rows");
+  else
+    gtk_style_context_remove_class (style, "whole-rows");
+}
+
+static void
+on_unmap (GtkWidget *rows, gpointer user)
+{
+  GtkWidget *view = gtk_widget_get_ancestor (rows, GTK_TYPE_VIEWPORT);
+
+  (void)user;
+  if (view != NULL)
+    set_class (view, FALSE);
+}
+
 /* In each view that it comes to it listens once. */
 static void
 on_map (GtkWidget *rows, gpointer user)
@@ -60,6 +83,7 @@ on_map (GtkWidget *rows, gpointer user)
   (void)user;
   if (view == NULL)
     return;
+  set_class (view, TRUE);
   adjustment = gtk_scrollable_get_vadjustment (GTK_SCROLLABLE (view));
   g_signal_handlers_disconnect_by_func (adjustment, on_scrolled, rows);
   g_signal_connect_object (adjustment, "value-changed",
@@ -73,5 +97,6 @@ void
 whole_rows_keep (GtkContainer *rows)
 {
   g_signal_connect_after (rows, "map", G_CALLBACK (on_map), NULL);
+  g_signal_connect (rows, "unmap", G_CALLBACK (on_unmap), NULL);
   g_signal_connect (rows, "size-allocate", G_CALLBACK (on_allocated), NULL);
 }

@@ -155,7 +155,7 @@ add_site (GArray *sites, const char *text, gsize length, GError **error)
   }
   reason = site_file_parse_line (text, length, &site);
   if (reason != NULL) {
-    refuse (reason, error);
+    refuse (_ (reason), error);
     return FALSE;
   }
   if (sites->len >= GENERATOR_MAX) {
