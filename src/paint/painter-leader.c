@@ -74,8 +74,7 @@ painter_add_leader (Painter *painter, const Label *label)
 
   if (!find_ends (label, ends))
     return;
-  drawing->in_hand
-      = (StrokePlace){ label->item, INDEX_NONE, N_PAINT_LAYERS - 1 };
+  drawing->next = (StrokePlace){ label->item, INDEX_NONE, N_PAINT_LAYERS - 1 };
   drawing->key = 0;
   painter->first_new = drawing->n_strokes;
   for (int i = 0; i < 2; i++) {
