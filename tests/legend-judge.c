@@ -118,6 +118,21 @@ is_only_light (const SceneItem *item)
   return item->role == ROLE_LIT || item->role == ROLE_CIRCLE_SELECTED;
 }
 
+/* What is quiet may be paler than its sample, but for the horizon: black and
+ * grey would be two things. */
+static gboolean
+is_other_ink (const Theme *theme, const SceneItem *item)
+{
+  const SceneItem sample = { .role = item->role,
+                             .shape = item->shape,
+                             .emphasis = EMPHASIS_NORMAL };
+
+  return (item->role == ROLE_HORIZON || item->role == ROLE_HORIZON_UPPER)
+         && item->lit == LIT_NONE
+         && !colour_equal (theme_style (theme, item).line,
+                           theme_style (theme, &sample).line);
+}
+
 static void
 check_item (const Moment *moment, const Theme *theme, const SceneItem *item)
 {
@@ -127,6 +142,8 @@ check_item (const Moment *moment, const Theme *theme, const SceneItem *item)
       && !is_explained (moment, theme, item))
     tell (moment, theme,
           g_strdup_printf ("no row for %s", role_name (item->role)));
+  if (is_other_ink (theme, item))
+    tell (moment, theme, g_strdup ("the horizon has another ink"));
   /* Names are not lit. */
   if (item->lit != LIT_NONE && item->role < ROLE_POWER
       && !is_light_explained (moment, theme, item))

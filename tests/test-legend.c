@@ -91,6 +91,8 @@ static const char *const states[][8] = {
   { "sites random 12 seed 7", "goto round 4 cone", "show why", "select f7",
     "measure s2" },
   { "sites random 12 seed 7", "goto round 4 hand-over", "lift 0.5" },
+  { "sites random 12 seed 7", "goto round 4 horizon", "focus visible" },
+  { "sites grid 4 3", "goto round 3 cone", "focus visible" },
   { "sites grid 4 3", "select f3" },
   { "sites grid 4 3", "goto round 3 see", "show why" },
   { "sites grid 4 3", "goto round 4 cone", "show furthest" },
