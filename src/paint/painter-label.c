@@ -4,6 +4,7 @@
 #include <math.h>
 
 #define PADDING 1.5
+#define PLATE_PADDING 6.0 /* at the sides: two answers are no one word */
 
 /* From site to site, for each letter of a name, times the size of type; in
  * space, where more lines meet, times so much more. */
@@ -97,7 +98,8 @@ painter_want (Painter *painter, Wanted *wanted, uint32_t number)
     return;
   name = names_find (names, item->label, face_of (item));
   size = names_size (names, name);
-  label.width = size.width + 2 * PADDING;
+  label.width = size.width
+                + 2 * (face_of (item) == NAME_ANSWER ? PLATE_PADDING : PADDING);
   label.height = size.height + 2 * PADDING;
   measure_mark (painter, item, &label);
   label.need = is_important (item) ? LABEL_MUST : LABEL_PLAIN;
@@ -121,9 +123,9 @@ static void
 add_name (Painter *painter, const Label *label, uint32_t name)
 {
   const Theme *theme = painter->theme;
-  const double x = floor (label->low.x + PADDING + 0.5);
-  const double y = floor (label->low.y + PADDING + 0.5);
   const NameSize size = names_size (painter->drawing->names, name);
+  const double x = floor (label->low.x + (label->width - size.width) / 2 + 0.5);
+  const double y = floor (label->low.y + PADDING + 0.5);
   const PlacedName placed = {
     .name = name,
     .item = label->item,
