@@ -60,25 +60,47 @@ canvas_accessible_get_name (AtkObject *object)
   return accessible->name;
 }
 
+static guint
+count_objects (Canvas *canvas)
+{
+  return HULL2VD_CANVAS_GET_CLASS (canvas)->count_objects (canvas);
+}
+
 /* What there is and what has just happened. */
+static char *
+describe (Canvas *canvas)
+{
+  Session *session = canvas_get_session (canvas);
+  g_autofree char *sentence = session_narrate (session);
+  const guint n_sites = session_get_set (session)->n_sites;
+  g_autofree char *all = g_strdup_printf (
+      ngettext ("%u site. %s", "%u sites. %s", n_sites), n_sites, sentence);
+
+  if (count_objects (canvas) <= CANVAS_LISTED)
+    return g_steal_pointer (&all);
+  /* Translators: %s are sentences; what a screen reader can list */
+  return g_strdup_printf (
+      _ ("%s The first %d objects are listed; Tab goes to all of them."), all,
+      CANVAS_LISTED);
+}
+
 static const char *
 canvas_accessible_get_description (AtkObject *object)
 {
   CanvasAccessible *accessible = HULL2VD_CANVAS_ACCESSIBLE (object);
   Canvas *canvas = get_canvas (object);
-  Session *session;
-  g_autofree char *sentence = NULL;
-  guint n_sites;
 
   if (canvas == NULL)
     return NULL;
-  session = canvas_get_session (canvas);
-  sentence = session_narrate (session);
-  n_sites = session_get_set (session)->n_sites;
   g_free (accessible->description);
-  accessible->description = g_strdup_printf (
-      ngettext ("%u site. %s", "%u sites. %s", n_sites), n_sites, sentence);
+  accessible->description = describe (canvas);
   return accessible->description;
+}
+
+static int
+count_listed (Canvas *canvas)
+{
+  return (int)MIN (count_objects (canvas), CANVAS_LISTED);
 }
 
 static int
@@ -86,9 +108,25 @@ canvas_accessible_get_n_children (AtkObject *object)
 {
   Canvas *canvas = get_canvas (object);
 
-  if (canvas == NULL)
-    return 0;
-  return (int)HULL2VD_CANVAS_GET_CLASS (canvas)->count_objects (canvas);
+  return canvas == NULL ? 0 : count_listed (canvas);
+}
+
+/* Most often a site has the place of its number. */
+int
+canvas_accessible_index (GtkWidget *widget, Object object)
+{
+  Canvas *canvas = HULL2VD_CANVAS (widget);
+  CanvasClass *class = HULL2VD_CANVAS_GET_CLASS (canvas);
+  const int n = count_listed (canvas);
+  const int likely = (int)MIN (object.number, CANVAS_LISTED);
+
+  if (likely < n
+      && object_equal (class->get_object (canvas, (guint)likely), object))
+    return likely;
+  for (int i = 0; i < n; i++)
+    if (object_equal (class->get_object (canvas, (guint)i), object))
+      return i;
+  return -1;
 }
 
 static AtkObject *
@@ -97,8 +135,7 @@ canvas_accessible_ref_child (AtkObject *object, int index)
   CanvasAccessible *accessible = HULL2VD_CANVAS_ACCESSIBLE (object);
   Canvas *canvas = get_canvas (object);
 
-  if (canvas == NULL || index < 0
-      || index >= canvas_accessible_get_n_children (object))
+  if (canvas == NULL || index < 0 || index >= count_listed (canvas))
     return NULL;
   return g_object_ref (get_child (
       accessible, canvas,

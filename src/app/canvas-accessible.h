@@ -1,5 +1,7 @@
 /* What assistive technology sees of a canvas: a picture with a description,
- * and one child for each of its objects, made when first asked for. */
+ * and one child for each of its objects, made when first asked for. Of very
+ * many objects the first are listed as its children; the others are told when
+ * the keyboard comes to them, and the description says so. */
 #ifndef CANVAS_ACCESSIBLE_H
 #define CANVAS_ACCESSIBLE_H
 
@@ -16,6 +18,13 @@ G_DECLARE_FINAL_TYPE (CanvasAccessible,
                       HULL2VD,
                       CANVAS_ACCESSIBLE,
                       GtkWidgetAccessible)
+
+/* So many objects are listed as children. Whoever looks for something in the
+ * window asks each of them, 30 µs long. */
+#define CANVAS_LISTED 1000
+
+/* Returns: the place of @object among the children, -1: it is not listed. */
+int canvas_accessible_index (GtkWidget *canvas, Object object);
 
 /* The session has changed: see SessionChange. */
 void canvas_accessible_update (GtkWidget *canvas, guint changes);

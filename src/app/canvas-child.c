@@ -1,6 +1,7 @@
 #include "canvas-child.h"
 
 #include "answer-objects.h"
+#include "canvas-accessible.h"
 #include "canvas-menu.h"
 #include "canvas-name.h"
 
@@ -54,17 +55,10 @@ static int
 canvas_child_get_index (AtkObject *object)
 {
   CanvasChild *child = HULL2VD_CANVAS_CHILD (object);
-  CanvasClass *class;
-  guint n_objects;
 
-  if (child->canvas == NULL)
-    return -1;
-  class = HULL2VD_CANVAS_GET_CLASS (child->canvas);
-  n_objects = class->count_objects (child->canvas);
-  for (guint i = 0; i < n_objects; i++)
-    if (object_equal (class->get_object (child->canvas, i), child->object))
-      return (int)i;
-  return -1;
+  return child->canvas == NULL ? -1
+                               : canvas_accessible_index (
+                                   GTK_WIDGET (child->canvas), child->object);
 }
 
 static gboolean
