@@ -2,7 +2,6 @@
 
 #include "generate-dialog.h"
 #include "keys-dialog.h"
-#include "point-import.h"
 #include "shortcuts-window.h"
 
 #include <glib/gi18n.h>
@@ -94,32 +93,6 @@ can_edit (Hull2vdWindow *window)
     return TRUE;
   hull2vd_window_say (window, error->message);
   return FALSE;
-}
-
-static void
-on_clipboard_text (GtkClipboard *clipboard, const char *text, gpointer user)
-{
-  g_autoptr (Hull2vdWindow) window = user;
-  g_autoptr (GError) error = NULL;
-
-  (void)clipboard;
-  if (window->session == NULL)
-    return;
-  if (text == NULL)
-    window_message_say (window, "paste", _ ("The clipboard holds no text"));
-  else if (!point_import_text (window->session, text, _ ("clipboard"),
-                               _ ("paste"), &error))
-    window_message_say (window, "paste", error->message);
-  else
-    window_message_settle (window, "paste");
-}
-
-static void
-run_paste (Hull2vdWindow *window)
-{
-  gtk_clipboard_request_text (
-      gtk_widget_get_clipboard (GTK_WIDGET (window), GDK_SELECTION_CLIPBOARD),
-      on_clipboard_text, g_object_ref (window));
 }
 
 static void
@@ -225,7 +198,7 @@ static const Command commands[] = {
   { "discard-unsaved", window_recovery_discard },
   { "adapt-lesson", window_files_adapt },
   { "copy", window_files_copy },
-  { "paste", run_paste },
+  { "paste", window_paste },
   { "copy-picture", window_picture_copy },
   { "clear-progress", window_progress_clear },
   { "next-lesson", window_progress_next_lesson },

@@ -268,18 +268,6 @@ window_files_open (Hull2vdWindow *window)
 
 /* Drop */
 
-static void
-drop_text (Hull2vdWindow *window, const char *text)
-{
-  g_autoptr (GError) error = NULL;
-
-  if (!point_import_text (window->session, text, _ ("dropped text"), _ ("drop"),
-                          &error))
-    window_message_say (window, "paste", error->message);
-  else
-    window_message_settle (window, "paste");
-}
-
 /* In a window of its own. */
 static void
 open_alone (Hull2vdWindow *window, const char *path)
@@ -329,7 +317,8 @@ on_drop (GtkWidget *widget,
   if (uris != NULL)
     drop_uris (user, uris);
   else if (text != NULL)
-    drop_text (user, (const char *)text);
+    window_paste_text (user, (const char *)text, _ ("dropped text"),
+                       _ ("drop"));
 }
 
 void

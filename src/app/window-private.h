@@ -146,6 +146,13 @@ void window_files_handout (Hull2vdWindow *window);
 /* Many points are read by a thread, and shown when they are there; FALSE: it
  * is known already that they cannot be. */
 gboolean window_files_load (Hull2vdWindow *window, const char *path);
+/* Replaces the sites by points in text, as the clipboard has it; @origin and
+ * @edit, which stay, as point_import_text() has them. */
+void window_paste (Hull2vdWindow *window);
+void window_paste_text (Hull2vdWindow *window,
+                        const char *text,
+                        const char *origin,
+                        const char *edit);
 /* What was to be read takes the place of nothing any more. */
 void window_files_stop_reading (Hull2vdWindow *window);
 

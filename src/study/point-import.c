@@ -320,6 +320,30 @@ point_import_open (Session *session,
   return set != NULL && point_import_put (session, set, error);
 }
 
+SiteSet *
+point_import_read_text (const char *text,
+                        gsize length,
+                        const char *origin,
+                        GError **error)
+{
+  SiteSet *set = point_import_parse (text, length, origin, NULL, error);
+
+  if (set == NULL || set->n_sites > 0)
+    return set;
+  /* Nobody means to delete all sites by that. */
+  site_set_free (set);
+  return refuse (origin, 0, _ ("there are no points in it"), error);
+}
+
+gboolean
+point_import_replace (Session *session,
+                      SiteSet *set,
+                      const char *edit,
+                      GError **error)
+{
+  return put_set (session, set, session_replace_sites, edit, error);
+}
+
 gboolean
 point_import_text (Session *session,
                    const char *text,
@@ -327,15 +351,7 @@ point_import_text (Session *session,
                    const char *edit,
                    GError **error)
 {
-  SiteSet *set = point_import_parse (text, strlen (text), origin, NULL, error);
+  SiteSet *set = point_import_read_text (text, strlen (text), origin, error);
 
-  if (set == NULL)
-    return FALSE;
-  /* Nobody means to delete all sites by that. */
-  if (set->n_sites == 0) {
-    site_set_free (set);
-    refuse (origin, 0, _ ("there are no points in it"), error);
-    return FALSE;
-  }
-  return put_set (session, set, session_replace_sites, edit, error);
+  return set != NULL && point_import_replace (session, set, edit, error);
 }

@@ -56,6 +56,17 @@ gboolean point_import_text (Session *session,
                             const char *edit,
                             GError **error);
 
+/* Both halves of that: what may be another thread's, and the rest, which takes
+ * @set. */
+SiteSet *point_import_read_text (const char *text,
+                                 gsize length,
+                                 const char *origin,
+                                 GError **error);
+gboolean point_import_replace (Session *session,
+                               SiteSet *set,
+                               const char *edit,
+                               GError **error);
+
 G_END_DECLS
 
 #endif
