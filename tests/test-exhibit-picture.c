@@ -213,6 +213,110 @@ test_the_hatch_of_a_sign_map_is_whole (void)
   cairo_surface_destroy (surface);
 }
 
+/* Many sites, and light */
+
+static Session *
+session_of (const char *sites)
+{
+  g_autofree char *command = g_strconcat ("sites ", sites, NULL);
+  Session *session = session_new ();
+
+  run (session, command);
+  return session;
+}
+
+static void
+wait (Session *session)
+{
+  while (session_is_working (session, NULL))
+    g_main_context_iteration (NULL, TRUE);
+}
+
+static void
+check_same_course (Session *session, Session *other)
+{
+  g_autofree char *sentence = NULL, *expected = NULL;
+
+  g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_PLANAR);
+  g_assert_cmpuint (session_get_n_steps (session), ==,
+                    session_get_n_steps (other));
+  run (session, "goto round 5 see");
+  run (other, "goto round 5 see");
+  sentence = session_narrate (session);
+  expected = session_narrate (other);
+  g_assert_cmpstr (sentence, ==, expected);
+}
+
+static void
+test_a_thread_makes_the_record_of_many_sites (void)
+{
+  g_autoptr (Session) session = session_of ("random 3000 seed 1");
+  g_autoptr (Session) other = session_of ("random 3000 seed 1");
+
+  session_set_patient (session, TRUE);
+  run (session, "view planar");
+  g_assert_true (session_is_working (session, NULL));
+  session_cancel (session);
+  g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_LIFTS);
+  run (session, "view planar");
+  g_assert_cmpint (session_get_exhibit_kind (session), ==, EXHIBIT_LIFTS);
+  wait (session);
+  run (other, "view planar");
+  check_same_course (session, other);
+  session_add_site (session, (Site){ 2, 3 }, NULL);
+  wait (session);
+  session_add_site (other, (Site){ 2, 3 }, NULL);
+  check_same_course (session, other);
+}
+
+static void
+check_same_scene (const Scene *scene, const Scene *expected)
+{
+  g_assert_cmpuint (scene->n_items, ==, expected->n_items);
+  g_assert_cmpuint (scene->n_lit, ==, expected->n_lit);
+  for (guint i = 0; i < scene->n_items; i++) {
+    g_assert_true (
+        object_equal (scene->items[i].object, expected->items[i].object));
+    g_assert_cmpint (scene->items[i].lit, ==, expected->items[i].lit);
+  }
+}
+
+/* What is kept for another thread stays what it was. */
+static void
+check_light (const char *view)
+{
+  g_autoptr (Session) session = session_of (THIRTEEN);
+  g_autoptr (Showing) showing = NULL;
+  g_autofree char *command = g_strconcat ("view ", view, NULL);
+  Scene scene = { 0 }, anew = { 0 }, later = { 0 };
+  SceneLook look;
+
+  run (session, command);
+  look = *session_get_look (session);
+  session_fill_scene (session, 0, &scene, &look);
+  look.selection = (Object){ OBJECT_SITE, 3 };
+  look.hover = (Object){ OBJECT_SITE, 1 };
+  g_assert_true (session_relight_scene (session, 0, &scene, &look));
+  session_fill_scene (session, 0, &anew, &look);
+  check_same_scene (&scene, &anew);
+  g_assert_cmpuint (scene.n_lit, ==, g_str_equal (view, "signs") ? 0 : 2);
+  showing = session_keep_showing (session, 0, &look);
+  run (session, "view lifts");
+  showing_fill (showing, &later);
+  check_same_scene (&later, &anew);
+  scene_clear (&scene);
+  scene_clear (&anew);
+  scene_clear (&later);
+}
+
+static void
+test_another_light_is_that_of_a_scene_made_anew (void)
+{
+  check_light ("planar");
+  check_light ("rounded");
+  check_light ("signs");
+}
+
 int
 main (int argc, char **argv)
 {
@@ -223,6 +327,11 @@ main (int argc, char **argv)
                    test_another_step_is_another_picture);
   g_test_add_func ("/exhibit-picture/layers-can-be-chosen-where-they-are-seen",
                    test_layers_can_be_chosen_where_they_are_seen);
+  g_test_add_func ("/exhibit-picture/a-thread-makes-the-record-of-many-sites",
+                   test_a_thread_makes_the_record_of_many_sites);
+  g_test_add_func (
+      "/exhibit-picture/another-light-is-that-of-a-scene-made-anew",
+      test_another_light_is_that_of_a_scene_made_anew);
   g_test_add_func ("/exhibit-picture/the-hatch-of-a-sign-map-is-whole",
                    test_the_hatch_of_a_sign_map_is_whole);
   return g_test_run ();

@@ -101,8 +101,12 @@ canvas_scene_update (CanvasScene *kept,
 void
 canvas_scene_fill (CanvasScene *kept, const Showing *showing)
 {
-  showing_fill (showing, &kept->scene);
-  note_marks (kept, TRUE);
+  const gboolean is_lit
+      = kept->age != AGE_OLD && showing_relight (showing, &kept->scene);
+
+  if (!is_lit)
+    showing_fill (showing, &kept->scene);
+  note_marks (kept, !is_lit);
   kept->age = AGE_VALID;
 }
 

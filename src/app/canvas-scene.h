@@ -37,8 +37,8 @@ gboolean canvas_scene_relight (CanvasScene *kept,
 /* Whether its stock is that of the session as it is. */
 gboolean canvas_scene_has_stock (const CanvasScene *kept);
 
-/* Fills it with what was kept, and does what picks and lights will need. This
- * another thread can do. */
+/* Makes it valid with what was kept, and does what picks and lights will need.
+ * This another thread can do. */
 void canvas_scene_fill (CanvasScene *kept, const Showing *showing);
 void canvas_scene_prepare (CanvasScene *kept, const Projection *projection);
 

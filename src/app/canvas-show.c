@@ -19,6 +19,9 @@
 /* To light so much takes as long as a picture of a large set. */
 #define MUCH_LIGHT 250
 
+/* Among so many items, 30 000 sites, a single light takes 50 ms. */
+#define MANY_ITEMS 200000
+
 struct CanvasShow {
   Canvas *canvas;
   Session *session;
@@ -125,6 +128,14 @@ canvas_show_pick (CanvasShow *show, const double at_px[2])
   return canvas_scene_pick (show->scene, &projection, at_px, REACH_PX);
 }
 
+/* Whether so much is lit, or was, that it is a thread's work. */
+static gboolean
+has_much_light (CanvasShow *show, const SceneLook *look)
+{
+  return look->n_selected > MUCH_LIGHT
+         || canvas_scene_get (show->scene)->n_lit > MUCH_LIGHT;
+}
+
 /* Whether the scene is there, or made in no time. */
 static gboolean
 has_scene (CanvasShow *show)
@@ -136,6 +147,8 @@ has_scene (CanvasShow *show)
   if (!canvas_scene_has_stock (show->scene))
     return FALSE;
   look = get_look (show);
+  if (has_much_light (show, &look))
+    return FALSE;
   return canvas_scene_relight (show->scene, show->session,
                                canvas_get_pane (show->canvas), &look);
 }
@@ -342,13 +355,17 @@ paint_later (CanvasShow *show, const Projection *projection)
   if (show->work != NULL)
     return TRUE;
   look = get_look (show);
-  if (!canvas_scene_relight (show->scene, show->session, pane, &look))
+  if (has_much_light (show, &look)) {
+    if (!canvas_scene_is_valid (show->scene))
+      showing = session_keep_showing (show->session, pane, &look);
+  } else if (!canvas_scene_relight (show->scene, show->session, pane, &look)) {
     showing = session_keep_showing (show->session, pane, &look);
-  else if (look.n_selected <= MUCH_LIGHT
-           && canvas_picture_has_stock (
-               show->picture, canvas_scene_get (show->scene), projection,
-               canvas_get_theme (show->canvas)))
+  } else if (canvas_scene_get (show->scene)->stock.n_items <= MANY_ITEMS
+             && canvas_picture_has_stock (
+                 show->picture, canvas_scene_get (show->scene), projection,
+                 canvas_get_theme (show->canvas))) {
     return FALSE;
+  }
   begin_work (show, projection, showing);
   return TRUE;
 }

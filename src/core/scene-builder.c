@@ -156,7 +156,9 @@ scene_builder_resume (SceneBuilder *builder,
   scene->n_items = scene->stock.n_items;
   scene->n_points = scene->stock.n_points;
   scene->n_labels = scene->stock.n_labels;
-  take_frame (builder, frame, look);
+  builder->look = look;
+  if (frame != NULL)
+    take_frame (builder, frame, look);
 }
 
 void

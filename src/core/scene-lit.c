@@ -345,7 +345,7 @@ scene_relight (Scene *scene, const Frame *frame, const SceneLook *look)
   scene_light (&builder);
   if (scene->is_space)
     scene_add_pointed_space (&builder);
-  else
+  else if (frame != NULL)
     scene_add_pointed_plane (&builder);
   scene_builder_clear (&builder);
   return true;

@@ -309,7 +309,8 @@ void scene_space (Scene *scene, const Frame *frame, const SceneLook *look);
 void scene_clear (Scene *scene);
 
 /* Brings a scene of the same frame to a look that differs from its own only in
- * what a person points at: hover, selection, measured site, preview.
+ * what a person points at: hover, selection, measured site, preview. @frame is
+ * NULL for a scene that was made of none.
  *
  * Returns: false, and nothing has changed, when it differs in more.
  * Cost:    O(items that are lit, before or now); the first time, and where a

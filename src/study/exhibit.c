@@ -7,11 +7,17 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+/* A record, which never changes. */
+typedef struct Planar {
+  PlanarTrace *trace;
+} Planar;
+
 struct Exhibit {
   ExhibitKind kind;
   Run *run;
-  PlanarTrace *planar;
-  PlanarFrame frame; /* of the step that was asked for last */
+  Planar *shared;      /* counts its references; NULL: another kind */
+  PlanarTrace *planar; /* its trace */
+  PlanarFrame frame;   /* of the step that was asked for last */
   gboolean has_frame;
   RoundedHull hull; /* of that step too */
   gboolean has_hull;
@@ -121,6 +127,20 @@ exhibit_rounded_hull (Exhibit *exhibit, guint step)
 
 /* Life */
 
+static void
+planar_clear (gpointer planar)
+{
+  planar_trace_free (((Planar *)planar)->trace);
+}
+
+static void
+make_planar (Exhibit *exhibit)
+{
+  exhibit->shared = g_atomic_rc_box_new (Planar);
+  exhibit->shared->trace = exhibit->planar
+      = planar_trace_record (exhibit->run->set);
+}
+
 Exhibit *
 exhibit_new (ExhibitKind kind, Run *run, const ExhibitTurn *turn)
 {
@@ -130,12 +150,29 @@ exhibit_new (ExhibitKind kind, Run *run, const ExhibitTurn *turn)
   exhibit->kind = kind;
   exhibit->run = run_ref (run);
   if (kind == EXHIBIT_PLANAR)
-    exhibit->planar = planar_trace_record (run->set);
+    make_planar (exhibit);
   else if (kind == EXHIBIT_SIGNS)
     make_map (exhibit, turn);
   else
     make_course (exhibit);
   return exhibit;
+}
+
+Exhibit *
+exhibit_share (const Exhibit *exhibit)
+{
+  Exhibit *other = g_new0 (Exhibit, 1);
+
+  other->kind = exhibit->kind;
+  other->run = run_ref (exhibit->run);
+  other->planar = exhibit->planar;
+  if (exhibit->shared != NULL)
+    other->shared = g_atomic_rc_box_acquire (exhibit->shared);
+  if (exhibit->map != NULL)
+    other->map = g_memdup2 (exhibit->map, sizeof *exhibit->map);
+  memcpy (other->sites, exhibit->sites, sizeof other->sites);
+  memcpy (other->node, exhibit->node, sizeof other->node);
+  return other;
 }
 
 static void
@@ -153,11 +190,24 @@ exhibit_free (Exhibit *exhibit)
     return;
   drop_frame (exhibit);
   drop_hull (exhibit);
-  planar_trace_free (exhibit->planar);
+  if (exhibit->shared != NULL)
+    g_atomic_rc_box_release_full (exhibit->shared, planar_clear);
   course_clear (&exhibit->course);
   g_free (exhibit->map);
   run_unref (exhibit->run);
   g_free (exhibit);
+}
+
+ExhibitKind
+exhibit_kind (const Exhibit *exhibit)
+{
+  return exhibit->kind;
+}
+
+Run *
+exhibit_run (const Exhibit *exhibit)
+{
+  return exhibit->run;
 }
 
 const Course *

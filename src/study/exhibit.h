@@ -47,6 +47,12 @@ typedef struct Exhibit Exhibit;
 Exhibit *exhibit_new (ExhibitKind kind, Run *run, const ExhibitTurn *turn);
 void exhibit_free (Exhibit *exhibit);
 
+/* Returns: (transfer full): another one of the same, for another thread: what
+ *          never changes is shared. It has no course but the planar one. */
+Exhibit *exhibit_share (const Exhibit *exhibit);
+
+ExhibitKind exhibit_kind (const Exhibit *exhibit);
+Run *exhibit_run (const Exhibit *exhibit);
 const Course *exhibit_course (const Exhibit *exhibit);
 
 /* Makes another node of the sign map the current one. */

@@ -19,9 +19,23 @@ session_get_exhibit_kind (Session *session)
   return session->exhibit_kind;
 }
 
+/* Returns: (transfer full): what a thread has made, if it is for this. */
+static Exhibit *
+take_ready_exhibit (Session *session)
+{
+  const Exhibit *ready = session->ready_exhibit;
+
+  return ready != NULL && exhibit_kind (ready) == session->exhibit_kind
+                 && exhibit_run (ready) == session->run
+             ? g_steal_pointer (&session->ready_exhibit)
+             : NULL;
+}
+
 Exhibit *
 session_get_exhibit (Session *session)
 {
+  if (session->exhibit == NULL && !shows_lifts (session))
+    session->exhibit = take_ready_exhibit (session);
   if (session->exhibit == NULL && !shows_lifts (session))
     session->exhibit
         = exhibit_new (session->exhibit_kind, session->run, &session->turn);
@@ -80,6 +94,22 @@ session_put_exhibit (Session *session, ExhibitKind kind, guint step)
   session_put_step (session, step);
 }
 
+/* The record of many sites in the plane is a thread's work. */
+static gboolean
+defer_planar (Session *session)
+{
+  g_autofree Site *sites = NULL;
+  Edit edit = { .kind = EDIT_PLANAR,
+                .n_sites = session->run->set->n_sites,
+                .order = session->run->trace->order };
+
+  if (session->ready_exhibit != NULL)
+    return FALSE;
+  sites = run_given (session->run);
+  edit.sites = sites;
+  return session_defer (session, &edit);
+}
+
 void
 session_set_exhibit_kind (Session *session, ExhibitKind kind)
 {
@@ -88,6 +118,8 @@ session_set_exhibit_kind (Session *session, ExhibitKind kind)
   if (kind == session->exhibit_kind)
     return;
   if (kind == EXHIBIT_COMPARE && session_defer_compare (session, orders))
+    return;
+  if (kind == EXHIBIT_PLANAR && defer_planar (session))
     return;
   session_hold (session);
   session_put_exhibit (session, kind,
@@ -297,9 +329,8 @@ session_keep_showing (Session *session, guint pane, const SceneLook *look)
   KeptFrame *frame;
 
   if (!shows_lifts (session))
-    return showing_new_exhibit (session->run, session->exhibit_kind,
-                                &session->turn, session->exhibit_step, pane,
-                                look);
+    return showing_new_exhibit (session_get_exhibit (session),
+                                session->exhibit_step, pane, look);
   frame = frame_of_pane (session, pane, &its_look);
   return showing_new (frame, session->run,
                       session_get_pane (session, pane) == PANE_SPACE,
@@ -322,9 +353,10 @@ session_relight_scene (Session *session,
 {
   SceneLook its_look = *look;
 
-  if (!shows_lifts (session)
-      || (session_get_pane (session, pane) == PANE_SPACE) != scene->is_space)
+  if ((session_get_pane (session, pane) == PANE_SPACE) != scene->is_space)
     return FALSE;
+  if (!shows_lifts (session))
+    return scene_relight (scene, NULL, look);
   return scene_relight (scene, &frame_of_pane (session, pane, &its_look)->frame,
                         &its_look);
 }

@@ -81,6 +81,7 @@ struct _Session {
   KeptFrame *ready_frame;  /* … and where it will be looked at */
   Run *ready_other;        /* the same of a run beside it */
   KeptFrame *ready_other_frame;
+  Exhibit *ready_exhibit; /* of the run */
   gboolean is_deferred; /* the edit that was asked for last */
   gboolean ends_later;  /* a drag, when its last run is there */
 

@@ -9,7 +9,8 @@ struct SessionWork {
   Site *own_sites;
   char *own_name;
   RunWatch watch;
-  gboolean has_other; /* two runs are compared: the other one, too */
+  gboolean has_planar; /* the hull in the plane is shown: its record, too */
+  gboolean has_other;  /* two runs are compared: the other one, too */
   Order other;
   Run *before;       /* and the step of it that is looked at, */
   guint step;        /* so that the frame can be made, too */
@@ -22,6 +23,7 @@ struct SessionWork {
 typedef struct Made {
   Run *run, *other;
   KeptFrame *frame, *other_frame;
+  Exhibit *exhibit;
 } Made;
 
 static void
@@ -33,6 +35,7 @@ made_free (gpointer data)
   g_clear_pointer (&made->other_frame, kept_frame_unref);
   g_clear_pointer (&made->run, run_unref);
   g_clear_pointer (&made->other, run_unref);
+  exhibit_free (made->exhibit);
   g_free (made);
 }
 
@@ -50,6 +53,8 @@ work_new (Session *session, const Edit *edit)
   work->before
       = run_ref (session->is_dragging ? session->drag_run : session->run);
   work->step = session->is_dragging ? session->drag_step : session->step;
+  work->has_planar
+      = edit->kind == EDIT_PLANAR || session->exhibit_kind == EXHIBIT_PLANAR;
   work->has_other
       = edit->kind == EDIT_COMPARE || session->exhibit_kind == EXHIBIT_COMPARE;
   work->other = edit->kind == EDIT_COMPARE ? edit->other : session->other_order;
@@ -94,6 +99,10 @@ make_frames (const SessionWork *work, Made *made)
 {
   const guint step = step_of (work, made->run);
 
+  if (work->has_planar)
+    made->exhibit = exhibit_new (EXHIBIT_PLANAR, made->run, NULL);
+  if (work->edit.kind == EDIT_PLANAR)
+    return;
   made->frame = kept_frame_new (made->run->trace, step);
   if (work->has_other)
     made->other_frame
@@ -151,6 +160,9 @@ ask_again (Session *session, const Edit *edit)
   case EDIT_COMPARE:
     session_compare (session, (const Order[]){ edit->order, edit->other });
     break;
+  case EDIT_PLANAR:
+    session_set_exhibit_kind (session, EXHIBIT_PLANAR);
+    break;
   case EDIT_UNDO:
     session_undo (session);
     break;
@@ -171,6 +183,7 @@ carry_out (Session *session, SessionWork *work, Made *made)
   session->ready = g_steal_pointer (&made->run);
   session->ready_frame = g_steal_pointer (&made->frame);
   session->ready_other = g_steal_pointer (&made->other);
+  session->ready_exhibit = g_steal_pointer (&made->exhibit);
   session->ready_other_frame = g_steal_pointer (&made->other_frame);
   ask_again (session, &work->edit);
   session_take_ready_other (session);
@@ -183,6 +196,7 @@ carry_out (Session *session, SessionWork *work, Made *made)
   g_clear_pointer (&session->ready_frame, kept_frame_unref);
   g_clear_pointer (&session->ready_other_frame, kept_frame_unref);
   g_clear_pointer (&session->ready_other, run_unref);
+  g_clear_pointer (&session->ready_exhibit, exhibit_free);
 }
 
 /* The session is let go of here: by the task, it might be in the thread. */
@@ -276,7 +290,7 @@ session_is_large (Session *session, gboolean is_heavy)
 
   is_heavy = is_heavy || (look->layers & LAYER_CIRCLES) != 0
              || look->n_selected > HEAVY_AT_ONCE;
-  return session->is_patient && session->exhibit_kind <= EXHIBIT_COMPARE
+  return session->is_patient
          && session_get_set (session)->n_sites
                 > (is_heavy ? HEAVY_AT_ONCE : SESSION_AT_ONCE);
 }

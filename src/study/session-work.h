@@ -17,6 +17,7 @@ typedef enum EditKind {
   EDIT_REMOVE,
   EDIT_ORDER,
   EDIT_COMPARE,
+  EDIT_PLANAR, /* no sites are edited: the hull in the plane is shown */
   EDIT_UNDO,
   EDIT_REDO,
 } EditKind;

@@ -29,17 +29,14 @@ showing_new (KeptFrame *frame,
 }
 
 Showing *
-showing_new_exhibit (Run *run,
-                     ExhibitKind kind,
-                     const ExhibitTurn *turn,
+showing_new_exhibit (const Exhibit *exhibit,
                      guint step,
                      guint pane,
                      const SceneLook *look)
 {
-  Showing *showing = new_with_look (run, look);
+  Showing *showing = new_with_look (exhibit_run (exhibit), look);
 
-  showing->kind = kind;
-  showing->turn = *turn;
+  showing->exhibit = exhibit_share (exhibit);
   showing->step = step;
   showing->pane = pane;
   return showing;
@@ -53,24 +50,26 @@ showing_free (Showing *showing)
   g_free ((gpointer)showing->look.answers);
   g_free ((gpointer)showing->look.selected);
   g_clear_pointer (&showing->frame, kept_frame_unref);
+  exhibit_free (showing->exhibit);
   run_unref (showing->run);
   g_free (showing);
 }
 
-static void
-fill_exhibit (const Showing *showing, Scene *scene)
+gboolean
+showing_relight (const Showing *showing, Scene *scene)
 {
-  Exhibit *exhibit = exhibit_new (showing->kind, showing->run, &showing->turn);
+  const Frame *frame = showing->frame != NULL ? &showing->frame->frame : NULL;
 
-  exhibit_scene (exhibit, showing->step, showing->pane, scene, &showing->look);
-  exhibit_free (exhibit);
+  return showing->is_space == scene->is_space
+         && scene_relight (scene, frame, &showing->look);
 }
 
 void
 showing_fill (const Showing *showing, Scene *scene)
 {
   if (showing->frame == NULL)
-    fill_exhibit (showing, scene);
+    exhibit_scene (showing->exhibit, showing->step, showing->pane, scene,
+                   &showing->look);
   else if (showing->is_space)
     scene_space (scene, &showing->frame->frame, &showing->look);
   else
