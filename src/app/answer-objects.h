@@ -9,6 +9,9 @@
 G_BEGIN_DECLS
 
 guint answer_objects_count (Canvas *canvas);
+
+/* The session has changed: what was listed is kept no longer. */
+void answer_objects_forget (Canvas *canvas);
 Object answer_objects_get (Canvas *canvas, guint index);
 
 /* What a click at a pixel means as an answer, among the shapes of @scene: what

@@ -1,5 +1,6 @@
 #include "canvas.h"
 
+#include "answer-objects.h"
 #include "brush.h"
 #include "canvas-accessible.h"
 #include "canvas-input.h"
@@ -343,6 +344,9 @@ on_changed (Session *session, guint changes, Canvas *canvas)
   CanvasShow *show = priv (canvas)->show;
 
   (void)session;
+  if (changes
+      & (CHANGED_SITES | CHANGED_STEP | CHANGED_LESSON | CHANGED_QUESTION))
+    answer_objects_forget (canvas);
   if ((changes & MATTERS) == 0 || is_elsewhere (canvas, changes))
     return;
   canvas_show_check_work (show);
