@@ -15,6 +15,18 @@ is_given_up (CanvasWork *work)
   return g_atomic_int_get (&work->is_given_up) != 0;
 }
 
+/* What nobody needs any more, or wants: of many sites it is 100 MB, and to give
+ * them back takes the main loop too long. */
+static void
+let_go (CanvasWork *work)
+{
+  g_clear_pointer (&work->showing, showing_free);
+  if (!is_given_up (work))
+    return;
+  g_clear_pointer (&work->scene, canvas_scene_free);
+  g_clear_pointer (&work->picture, picture_work_free);
+}
+
 static void
 make_picture (GTask *task,
               gpointer source,
@@ -33,6 +45,7 @@ make_picture (GTask *task,
     canvas_scene_prepare (work->scene, &work->projection);
     picture_work_prepare (work->picture);
   }
+  let_go (work);
   g_task_return_boolean (task, TRUE);
 }
 
