@@ -97,9 +97,15 @@ canvas_accessible_get_description (AtkObject *object)
   return accessible->description;
 }
 
+/* Sites come first, and to count all else takes time. */
 static int
 count_listed (Canvas *canvas)
 {
+  Session *session = canvas_get_session (canvas);
+
+  if (!session_is_answering (session)
+      && session_get_set (session)->n_sites >= CANVAS_LISTED)
+    return CANVAS_LISTED;
   return (int)MIN (count_objects (canvas), CANVAS_LISTED);
 }
 
