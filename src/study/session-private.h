@@ -82,8 +82,8 @@ struct _Session {
   Run *ready_other;        /* the same of a run beside it */
   KeptFrame *ready_other_frame;
   Exhibit *ready_exhibit; /* of the run */
-  gboolean is_deferred; /* the edit that was asked for last */
-  gboolean ends_later;  /* a drag, when its last run is there */
+  gboolean is_deferred;   /* the edit that was asked for last */
+  gboolean ends_later;    /* a drag, when its last run is there */
 
   GArray *chores; /* oldest first; inside of session-chore.c */
   guint n_chores; /* begun so far */
