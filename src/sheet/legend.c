@@ -210,8 +210,8 @@ row_new (Session *session, const LegendMarks *marks, int mark, guint apex)
   return row;
 }
 
-void
-legend_row_free (LegendRow *row)
+static void
+free_row (LegendRow *row)
 {
   g_free (row->text);
   g_free (row);
@@ -270,7 +270,7 @@ legend_rows (Session *session, const LegendMarks *marks, const Theme *theme)
 GPtrArray *
 legend_new (void)
 {
-  return g_ptr_array_new_with_free_func ((GDestroyNotify)legend_row_free);
+  return g_ptr_array_new_with_free_func ((GDestroyNotify)free_row);
 }
 
 static LegendRow *

@@ -17,8 +17,6 @@ typedef struct LegendRow {
   gboolean is_of_pointer;
 } LegendRow;
 
-void legend_row_free (LegendRow *row);
-
 /* @marks: of all the pictures that are shown.
  *
  * Returns: (transfer full) (element-type LegendRow): what they mean at the
