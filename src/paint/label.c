@@ -30,6 +30,7 @@ static const Manner manners[] = {
   [LABEL_PLAIN] = { 4, 130, BEARS_NOTHING },
   [LABEL_MAY_BE_LED] = { 4, 130, BEARS_NOTHING }, /* then led_manner */
   [LABEL_MUST] = { N_GAPS, DBL_MAX, BEARS_ALL },
+  [LABEL_MUST_NEAR] = { 6, DBL_MAX, BEARS_ALL },
 };
 static const Manner led_manner = { 6, 300, BEARS_DOUBT };
 
@@ -237,7 +238,7 @@ try_all (LabelSheet *sheet, Label *labels, uint32_t n_labels, Attempt attempt)
 {
   for (int is_rest = 0; is_rest < 2; is_rest++)
     for (uint32_t i = 0; i < n_labels; i++)
-      if (!labels[i].is_settled && (labels[i].need == LABEL_MUST) != is_rest
+      if (!labels[i].is_settled && (labels[i].need >= LABEL_MUST) != is_rest
           && (attempt != ATTEMPT_TO_BE_LED
               || labels[i].need == LABEL_MAY_BE_LED))
         try_to_place (sheet, &labels[i], attempt);

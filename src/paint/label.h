@@ -33,6 +33,8 @@ typedef enum LabelNeed {
   LABEL_PLAIN,      /* it is left out */
   LABEL_MAY_BE_LED, /* it has a leader, if that and it lie on nothing */
   LABEL_MUST,       /* it is never left out, and placed before the others */
+  LABEL_MUST_NEAR,  /* the same, near its mark: in a crowd there is no better
+                       place far away */
 } LabelNeed;
 
 /* A name to place. */
@@ -82,5 +84,6 @@ void label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels);
 /* Nothing further from its mark than this, beyond reach and size of a label, is
  * of concern to it, px. */
 #define LABEL_NEAR_PX 74.0
+#define LABEL_NEAR_IN_CROWD_PX 56.0 /* where none goes far away */
 
 #endif

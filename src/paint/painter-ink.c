@@ -113,10 +113,10 @@ add_ink (const Painter *painter,
 
 /* All that can be of concern to a name. */
 static PixelBox
-box_near (const Label *label)
+box_near (const Label *label, const InkSource *source)
 {
-  const double reach
-      = label->reach + MAX (label->width, label->height) + LABEL_NEAR_PX;
+  const double near = source->is_crowd ? LABEL_NEAR_IN_CROWD_PX : LABEL_NEAR_PX;
+  const double reach = label->reach + MAX (label->width, label->height) + near;
 
   return (PixelBox){ (float)(label->at.x - reach), (float)(label->at.y - reach),
                      (float)(label->at.x + reach),
@@ -152,7 +152,7 @@ add_ink_in_squares (const Painter *painter,
 
   squares_init (&squares, &grid);
   for (guint i = 0; i < labels->len; i++) {
-    const PixelBox near = box_near (&g_array_index (labels, Label, i));
+    const PixelBox near = box_near (&g_array_index (labels, Label, i), source);
 
     squares_mark (&squares, &near);
   }
@@ -177,7 +177,7 @@ painter_add_ink_near (const Painter *painter,
     return;
   }
   for (guint i = 0; i < labels->len; i++) {
-    const PixelBox near = box_near (&g_array_index (labels, Label, i));
+    const PixelBox near = box_near (&g_array_index (labels, Label, i), source);
 
     box_index_find (strokes, &near);
   }

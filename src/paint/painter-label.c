@@ -156,7 +156,7 @@ painter_add_wanted (Painter *painter, const Wanted *wanted)
 }
 
 static void
-place_in_stock (Painter *painter, const Wanted *wanted, bool is_sparse)
+place_in_stock (Painter *painter, const Wanted *wanted, bool is_crowd)
 {
   const Drawing *drawing = painter->drawing;
   const GArray *labels = wanted->labels;
@@ -168,10 +168,8 @@ place_in_stock (Painter *painter, const Wanted *wanted, bool is_sparse)
 
     label->place = name_places_find (places, painter_item_of (painter, label));
   }
-  painter_add_ink_near (
-      painter, sheet,
-      &(InkSource){ drawing, NULL, is_sparse && painter_is_crowd (drawing) },
-      labels);
+  painter_add_ink_near (painter, sheet, &(InkSource){ drawing, NULL, is_crowd },
+                        labels);
   label_sheet_place (sheet, (Label *)labels->data, labels->len);
   label_sheet_free (sheet);
   for (guint i = 0; i < labels->len; i++) {
@@ -203,6 +201,8 @@ painter_add_names (Painter *painter)
 {
   const Scene *scene = painter->scene;
   const double room = room_for_names (painter);
+  const bool is_crowd
+      = room < ROOM_FOR_SOME && painter_is_crowd (painter->drawing);
   Wanted wanted;
 
   wanted_init (&wanted);
@@ -214,7 +214,9 @@ painter_add_names (Painter *painter)
   for (guint i = 0; i < wanted.labels->len; i++) {
     Label *label = &g_array_index (wanted.labels, Label, i);
 
-    if (label->need != LABEL_MUST)
+    if (label->need == LABEL_MUST)
+      label->need = is_crowd ? LABEL_MUST_NEAR : LABEL_MUST;
+    else
       label->need = room < 1 ? LABEL_SHY
                     : room < ROOM_FOR_ALL || scene->stock.n_sites > FEW_SITES
                         ? LABEL_PLAIN
@@ -223,7 +225,7 @@ painter_add_names (Painter *painter)
                       painter_item_of (painter, label), label->at);
   }
   if (wanted.labels->len > 0)
-    place_in_stock (painter, &wanted, room < ROOM_FOR_SOME);
+    place_in_stock (painter, &wanted, is_crowd);
   painter_add_wanted (painter, &wanted);
   wanted_clear (&wanted);
 }

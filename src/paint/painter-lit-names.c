@@ -206,7 +206,8 @@ add_lit (Painter *painter,
       painter_want (painter, &wanted, items[i]);
   want_measured (painter, ground->stock, &wanted);
   if (wanted.labels->len <= FEW)
-    set_need (&wanted, LABEL_MUST);
+    set_need (&wanted,
+              painter_is_crowd (ground->stock) ? LABEL_MUST_NEAR : LABEL_MUST);
   place_over (painter, &wanted, ground);
   wanted_clear (&wanted);
 }
@@ -227,7 +228,7 @@ add_displaced (Painter *painter, const Ground *ground)
         && painter_takes_name (painter->scene, painter->drawing, placed))
       painter_want (painter, &wanted, placed->item);
   }
-  set_need (&wanted, LABEL_MAY_BE_LED);
+  set_need (&wanted, painter_is_crowd (stock) ? LABEL_PLAIN : LABEL_MAY_BE_LED);
   place_over (painter, &wanted, ground);
   wanted_clear (&wanted);
 }
