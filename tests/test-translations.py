@@ -239,7 +239,11 @@ def check_faults(language):
         told = subprocess.run([CLI, "lint", lesson.name], env=environment,
                               capture_output=True, text=True, check=False)
     words = told.stdout + told.stderr
-    return [] if f":11:1: {reason}" in words else [words]
+    scale = subprocess.run([CLI, "export", "-o", "no.svg", "--line-scale", "9",
+                            "no.txt"], env=environment, capture_output=True,
+                           text=True, check=False).stderr
+    return ([] if f":11:1: {reason}" in words else [words]) + (
+        [] if " 0.5 " in scale else [scale])
 
 
 CHECKS = [

@@ -25,7 +25,10 @@ static const double speeds[] = { 0.25, 0.5, 1, 2, 4 };
 static char *
 speed_text (double speed)
 {
-  return g_strdup_printf ("%g×", speed);
+  char text[G_ASCII_DTOSTR_BUF_SIZE];
+
+  return g_strdup_printf ("%s×",
+                          g_ascii_formatd (text, sizeof text, "%g", speed));
 }
 
 /* The clock */

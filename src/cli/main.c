@@ -97,6 +97,7 @@ main (int argc, char **argv)
   const char *name = argc > 1 ? argv[1] : NULL;
 
   setlocale (LC_ALL, "");
+  setlocale (LC_NUMERIC, "C"); /* numbers are told as they are read */
   locate_translations ();
   g_set_prgname ("hull2vd-cli");
 

@@ -412,10 +412,13 @@ add_rounded (GPtrArray *laws, const RoundedHull *hull)
 static void
 add_map (GPtrArray *laws, const SignMap *map)
 {
+  char step[G_ASCII_DTOSTR_BUF_SIZE];
+
   laws_add (laws, "nodes", _ ("nodes"), "%d = %d²",
             SIGN_MAP_SIDE * SIGN_MAP_SIDE, SIGN_MAP_SIDE);
   laws_add (laws, "wrong-signs", _ ("wrong signs"), "%u", map->n_wrong);
-  laws_add (laws, "grid", _ ("from node to node"), "%.3g", map->step);
+  laws_add (laws, "grid", _ ("from node to node"), "%s",
+            g_ascii_formatd (step, sizeof step, "%.3g", map->step));
 }
 
 GPtrArray *
