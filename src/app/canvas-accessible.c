@@ -228,7 +228,7 @@ canvas_accessible_init (CanvasAccessible *accessible)
 
 /* Of more children than these none tells of itself: whoever has asked for so
  * many asks again when the canvas says that what it shows has changed. */
-#define MANY_CHILDREN 1000
+#define MANY_CHILDREN 200
 
 /* Sites keep their numbers and tell where they are now; facets are numbered
  * anew. */

@@ -133,6 +133,8 @@ def pointing(bench, p, n):
                                       "Tab"), focus)
     bench.time("Shift Tab", lambda: xdotool("key", "shift+Tab"))
     bench.time("arrow", lambda: xdotool("key", "--delay", 100, "Right", "Up"))
+    bench.time("look for something by AT-SPI",
+               lambda: p.find("push button", "Nothing"))
     bench.time("menu of a site", lambda: xdotool("key", "Menu"))
     xdotool("key", "Escape")
 
