@@ -116,12 +116,16 @@ add (GArray *sites, double x, double y)
   g_array_append_val (sites, site);
 }
 
+/* Each draw is a statement of its own: compilers differ in which argument of a
+ * call is evaluated first, and the sets would differ with them. */
 static void
 add_square (GArray *sites, GRand *rand, guint n, int radius)
 {
-  for (guint i = 0; i < n; i++)
-    add (sites, g_rand_int_range (rand, -radius, radius + 1),
-         g_rand_int_range (rand, -radius, radius + 1));
+  for (guint i = 0; i < n; i++) {
+    const int y = g_rand_int_range (rand, -radius, radius + 1);
+
+    add (sites, g_rand_int_range (rand, -radius, radius + 1), y);
+  }
 }
 
 static void
@@ -171,11 +175,13 @@ add_clusters (GArray *sites, GRand *rand, guint n)
   Site centre = { 0, 0 };
 
   for (guint i = 0; i < n; i++) {
+    double y;
+
     if (i % 5 == 0)
       centre = (Site){ g_rand_int_range (rand, -50, 51),
                        g_rand_int_range (rand, -50, 51) };
-    add (sites, centre.x + ldexp (g_rand_int_range (rand, -3, 4), -40),
-         centre.y + ldexp (g_rand_int_range (rand, -3, 4), -40));
+    y = centre.y + ldexp (g_rand_int_range (rand, -3, 4), -40);
+    add (sites, centre.x + ldexp (g_rand_int_range (rand, -3, 4), -40), y);
   }
 }
 

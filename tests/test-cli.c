@@ -369,9 +369,8 @@ put_scattered (const char *name)
   g_autoptr (GString) text = g_string_new (NULL);
   g_autoptr (GRand) random = g_rand_new_with_seed (11);
 
-  for (guint i = 0; i < 300; i++)
-    g_string_append_printf (text, "%d %d\n",
-                            g_rand_int_range (random, 0, 1 << 24),
+  for (guint i = 0; i < 2 * 300; i++)
+    g_string_append_printf (text, i % 2 == 0 ? "%d " : "%d\n",
                             g_rand_int_range (random, 0, 1 << 24));
   script_put (name, text->str);
 }

@@ -112,6 +112,16 @@ nudged (GRand *random, double value)
   return nextafter (value, way * (double)INFINITY);
 }
 
+/* One draw after the other, whichever argument is evaluated first. */
+static double
+near_power (GRand *random, const int exponents[2])
+{
+  const int exponent
+      = g_rand_int_range (random, exponents[0], exponents[1] + 1);
+
+  return ldexp (g_rand_double_range (random, 1, 2), exponent);
+}
+
 /* @n rectangles whose half sides have exponents in @x and in @y, some of
  * their coordinates moved by an ulp. */
 static Tally
@@ -121,10 +131,8 @@ nearly_tie (int n, const int x[2], const int y[2])
   Tally tally = { 0 };
 
   for (int i = 0; i < n; i += 1) {
-    const double width = ldexp (g_rand_double_range (random, 1, 2),
-                                g_rand_int_range (random, x[0], x[1] + 1));
-    const double height = ldexp (g_rand_double_range (random, 1, 2),
-                                 g_rand_int_range (random, y[0], y[1] + 1));
+    const double width = near_power (random, x);
+    const double height = near_power (random, y);
     Site sites[5];
 
     set_rectangle (sites, width, height, g_rand_boolean (random));
@@ -265,10 +273,11 @@ test_a_grid_far_from_the_origin_is_a_grid (void)
 
   for (int i = 0; i < 4000; i += 1) {
     const double far = ldexp (1, g_rand_int_range (random, 20, 52));
+    const int height = 2 * g_rand_int_range (random, 1, 9);
+    const int width = 2 * g_rand_int_range (random, 1, 9);
     Site sites[5];
 
-    set_rectangle (sites, 2 * g_rand_int_range (random, 1, 9),
-                   2 * g_rand_int_range (random, 1, 9), i % 2 == 0);
+    set_rectangle (sites, width, height, i % 2 == 0);
     for (int k = 0; k < 5; k += 1)
       sites[k] = (Site){ sites[k].x + far, sites[k].y - 3 * far };
     assert_signs (sites, &tally);

@@ -102,8 +102,10 @@ make_in_cluster (Scatter *scatter)
   const guint32 last = scatter->n_centres - 1;
   const Site centre = scatter->centres[generator_below (&scatter->state, last)];
 
-  return (Site){ centre.x + CLUSTER_WIDTH * random_crowded (scatter),
-                 centre.y + CLUSTER_WIDTH * random_crowded (scatter) };
+  const double x = CLUSTER_WIDTH * random_crowded (scatter);
+  const double y = CLUSTER_WIDTH * random_crowded (scatter);
+
+  return (Site){ centre.x + x, centre.y + y };
 }
 
 /* A few for a few sites, more for many. */
@@ -125,9 +127,10 @@ generator_clusters (guint n, guint64 seed, GError **error)
   if (!generator_check_count (n, GENERATOR_MAX, error))
     return NULL;
   scatter.n_centres = count_centres (n);
-  for (guint i = 0; i < scatter.n_centres; i++)
-    scatter.centres[i] = (Site){ 0.8 * random_between (&scatter),
-                                 0.8 * random_between (&scatter) };
+  for (guint i = 0; i < scatter.n_centres; i++) {
+    scatter.centres[i].x = 0.8 * random_between (&scatter);
+    scatter.centres[i].y = 0.8 * random_between (&scatter);
+  }
   return scatter_sites (&scatter, make_in_cluster, n);
 }
 
