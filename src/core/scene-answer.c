@@ -1,5 +1,6 @@
 /* What a person has chosen as an answer, and how right it is: marks of their
- * own over all others, in the plane and in space. */
+ * own over all others, in the plane and in space. What the question speaks of
+ * has its name. */
 #include "scene-builder.h"
 
 #include <stdio.h>
@@ -8,6 +9,7 @@ static Role
 role_of (AnswerKind kind)
 {
   switch (kind) {
+  case ANSWER_NAMED:
   case ANSWER_CHOSEN:
     return ROLE_ANSWER_CHOSEN;
   case ANSWER_RIGHT:
@@ -37,6 +39,7 @@ sign_of (SceneBuilder *builder, const SceneAnswer *answer)
     return scene_text (builder, "✓");
   case ANSWER_WRONG:
     return scene_text (builder, "✗");
+  case ANSWER_NAMED:
   case ANSWER_CHOSEN:
   case ANSWER_MISSED:
     break;
@@ -128,21 +131,14 @@ has_shadow (const SceneBuilder *builder, uint32_t facet)
 /* A triangle is drawn a little inside its sides: neighbours that are chosen
  * both have their own outline. */
 static void
-add_facet (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
+add_outline (SceneBuilder *builder,
+             const SceneAnswer *answer,
+             const uint32_t *site,
+             Point3 middle,
+             bool lifted)
 {
-  const uint32_t facet = answer->object.number;
-  const Frame *frame = builder->frame;
-  const uint32_t n_facets = frame->trace->is_flat ? frame->delaunay.n_triangles
-                                                  : frame->trace->n_facets;
-  const uint32_t *site;
-  Point3 middle;
   int k;
 
-  if (facet >= n_facets || (!lifted && !has_shadow (builder, facet))
-      || scene_roles (builder, facet) == 0)
-    return;
-  site = scene_facet_sites (builder, facet);
-  middle = middle_of (builder, site, 3, lifted);
   scene_add (builder, SHAPE_PATH, role_of (answer->kind), answer->object);
   for (k = 0; k < 4; k++) {
     const Point3 corner = scene_at (builder, site[k % 3], lifted);
@@ -152,6 +148,25 @@ add_facet (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
                            corner.y + ANSWER_INSET * (middle.y - corner.y),
                            corner.z + ANSWER_INSET * (middle.z - corner.z) });
   }
+}
+
+static void
+add_facet (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
+{
+  const uint32_t facet = answer->object.number;
+  const Frame *frame = builder->frame;
+  const uint32_t n_facets = frame->trace->is_flat ? frame->delaunay.n_triangles
+                                                  : frame->trace->n_facets;
+  const uint32_t *site;
+  Point3 middle;
+
+  if (facet >= n_facets || (!lifted && !has_shadow (builder, facet))
+      || scene_roles (builder, facet) == 0)
+    return;
+  site = scene_facet_sites (builder, facet);
+  middle = middle_of (builder, site, 3, lifted);
+  if (answer->kind != ANSWER_NAMED)
+    add_outline (builder, answer, site, middle, lifted);
   add_name (builder, answer, middle, name_of_facet (builder, answer));
 }
 
@@ -205,6 +220,8 @@ scene_add_answers (SceneBuilder *builder, bool lifted)
   for (i = 0; i < builder->look->n_answers; i++) {
     const SceneAnswer *answer = &builder->look->answers[i];
 
+    if (answer->kind == ANSWER_NAMED && answer->object.kind != OBJECT_FACET)
+      continue;
     switch (answer->object.kind) {
     case OBJECT_FACET:
       add_facet (builder, answer, lifted);

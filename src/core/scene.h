@@ -216,8 +216,10 @@ typedef enum SceneMask {
                            preview */
 } SceneMask;
 
-/* An object that a person has chosen as an answer. */
+/* An object that a person has chosen as an answer, or that the question speaks
+ * of. */
 typedef enum AnswerKind {
+  ANSWER_NAMED, /* spoken of: a facet has its name, and no mark */
   ANSWER_CHOSEN,
   ANSWER_RIGHT,
   ANSWER_WRONG,

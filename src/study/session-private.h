@@ -155,6 +155,9 @@ const StopState *session_state_of (Session *session, guint stop);
 
 /* To be called when the run, the step or the stop has changed. */
 void session_question_refresh (Session *session);
+
+/* Appends to Session.answers what the pictures show of a question. */
+void session_find_answers (Session *session, const Exercise *exercise);
 void session_question_follow_run (Session *session);
 void session_question_follow_step (Session *session);
 

@@ -143,79 +143,11 @@ session_is_answering (Session *session)
 /* What the pictures show of it */
 
 static gboolean
-has (const GArray *objects, Object object)
+shows_answers (Session *session, const Exercise *exercise)
 {
-  for (guint i = 0; i < objects->len; i++)
-    if (object_equal (g_array_index (objects, Object, i), object))
-      return TRUE;
-  return FALSE;
-}
-
-static void
-add_answer (Session *session, Object object, AnswerKind kind, guint place)
-{
-  const SceneAnswer answer = { object, kind, place };
-
-  if (object.kind != OBJECT_NONE)
-    g_array_append_val (session->answers, answer);
-}
-
-/* What is chosen; once it has been checked, what of it is right. */
-static void
-add_chosen (Session *session, const Exercise *exercise, const Answer *answer)
-{
-  const GArray *chosen = exercise->attempt->objects;
-  const gboolean is_order = exercise->question->kind == QUESTION_ORDER;
-
-  for (guint i = 0; i < chosen->len; i++) {
-    const Object object = g_array_index (chosen, Object, i);
-    AnswerKind kind = ANSWER_CHOSEN;
-
-    if (answer != NULL && is_order)
-      kind = exercise->verdict != NULL && i < exercise->verdict->right
-                 ? ANSWER_RIGHT
-                 : ANSWER_WRONG;
-    else if (answer != NULL)
-      kind = has (answer->objects, object) ? ANSWER_RIGHT : ANSWER_WRONG;
-    add_answer (session, object, kind, is_order ? i + 1 : 0);
-  }
-}
-
-static void
-add_missed (Session *session, const Exercise *exercise, const Answer *answer)
-{
-  const gboolean is_order = exercise->question->kind == QUESTION_ORDER;
-  guint n_right = 0;
-
-  for (guint i = 0; i < session->answers->len; i++)
-    n_right += g_array_index (session->answers, SceneAnswer, i).kind
-               == ANSWER_RIGHT;
-  if ((answer->is_any && n_right > 0)
-      || (exercise->verdict != NULL && exercise->verdict->is_right))
-    return;
-  for (guint i = 0; i < answer->objects->len; i++) {
-    const Object object = g_array_index (answer->objects, Object, i);
-
-    if (!has (exercise->attempt->objects, object))
-      add_answer (session, object, ANSWER_MISSED, is_order ? i + 1 : 0);
-  }
-}
-
-static void
-find_answers (Session *session)
-{
-  const Exercise *exercise = session_get_exercise (session);
-  g_autoptr (Answer) answer = NULL;
-
-  g_array_set_size (session->answers, 0);
-  if (exercise == NULL || is_drag (exercise) || session->run != exercise->run
-      || (exercise->is_open && !is_here (session, exercise)))
-    return;
-  if (exercise->verdict != NULL || !exercise->is_open)
-    answer = answer_new (exercise->question, &exercise->occasion);
-  add_chosen (session, exercise, answer);
-  if (!exercise->is_open)
-    add_missed (session, exercise, answer);
+  return exercise != NULL && !is_drag (exercise)
+         && session->run == exercise->run
+         && (!exercise->is_open || is_here (session, exercise));
 }
 
 void
@@ -226,7 +158,9 @@ session_question_refresh (Session *session)
   session->look.mask = session_is_asking (session)
                            ? MASK_WHY | question_mask (exercise->question)
                            : 0;
-  find_answers (session);
+  g_array_set_size (session->answers, 0);
+  if (shows_answers (session, exercise))
+    session_find_answers (session, exercise);
   session->look.answers = (const SceneAnswer *)(gpointer)session->answers->data;
   session->look.n_answers = session->answers->len;
 }
