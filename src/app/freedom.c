@@ -71,11 +71,12 @@ compare_text (Session *session)
 static const char *
 signs_text (void)
 {
-  return _ ("Each square is a place for one site, one double apart from the "
-            "next. It shows on which side of a line through two other sites "
-            "that place lies: on the left as plain doubles have it, on the "
-            "right as it is.\n\n**Point** at a square to read both signs, or "
-            "walk with the **arrow keys**; **Shift** takes longer steps.");
+  return _ ("Each node of the grid is a place for one site, one double apart "
+            "from the next. It shows on which side of a line through "
+            "two other sites that place lies: on the left as plain doubles "
+            "have it, on the right as it is.\n\n**Point** at a node to read "
+            "both signs, or walk with the **arrow keys**; **Shift** takes "
+            "longer steps.");
 }
 
 static const char *

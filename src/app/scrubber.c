@@ -153,14 +153,17 @@ add_marks (const MarkWalk *walk, double label_px)
   }
 }
 
+/* Stops at one step have one mark: dots over dots look like squares. */
 static void
 add_stops (Scrubber *scrubber)
 {
   const guint n_stops = session_get_n_stops (scrubber->session);
+  g_autoptr (GHashTable) steps = g_hash_table_new (NULL, NULL);
   guint step;
 
   for (guint i = 0; i < n_stops; i++)
-    if (session_get_stop_step (scrubber->session, i, &step))
+    if (session_get_stop_step (scrubber->session, i, &step)
+        && g_hash_table_add (steps, GUINT_TO_POINTER (step)))
       gtk_scale_add_mark (GTK_SCALE (scrubber), step, GTK_POS_TOP, NULL);
 }
 
