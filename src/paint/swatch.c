@@ -106,6 +106,37 @@ paint_cells (cairo_t *cr,
   paint_area (cr, &style, theme, 0, size);
 }
 
+#define N_WIRES 3 /* spaces between upright wires */
+
+static void
+trace_wires (cairo_t *cr, const double size[2])
+{
+  for (int i = 1; i < N_WIRES; i++) {
+    cairo_move_to (cr, i * size[0] / N_WIRES, 1);
+    cairo_line_to (cr, i * size[0] / N_WIRES, size[1] - 1);
+  }
+  cairo_move_to (cr, 1, size[1] / 2);
+  cairo_line_to (cr, size[0] - 1, size[1] / 2);
+}
+
+/* The paraboloid is known by its wires, and by its rim round them. */
+static void
+paint_sheet (cairo_t *cr,
+             const SceneItem *item,
+             const Theme *theme,
+             const double size[2])
+{
+  const SceneItem rim_item
+      = { .shape = SHAPE_PATH, .role = ROLE_RIM, .emphasis = item->emphasis };
+  const Style wire = theme_style (theme, item);
+  Style rim = theme_style (theme, &rim_item);
+
+  rim.fill = wire.fill;
+  trace_wires (cr, size);
+  brush_line (cr, &wire);
+  paint_area (cr, &rim, theme, 0, size);
+}
+
 #define TRIANGLE_PART 0.18 /* of the height, for a side */
 
 /* A triangle as it is lit, with its outline. */
@@ -171,6 +202,21 @@ scale (Style *style, double factor)
 #define LINE_PART 0.56
 #define RING_PART 0.3
 
+/* Dashes that are no longer than the line is wide would get round ends, which
+ * meet, and dots would meet too: the line is made thinner as well. */
+static void
+shorten (Style *style, double part)
+{
+  const bool has_dots = brush_has_round_ends (style);
+  double narrow;
+
+  style->dash *= part;
+  style->gap *= part;
+  narrow = has_dots ? part : MIN (1, style->dash / style->width);
+  style->width *= narrow;
+  style->casing *= narrow;
+}
+
 /* Heavy looks are made smaller until a mark is whole and a line leaves ground
  * beside it; and dashes so short that they are seen to be some. */
 static void
@@ -187,13 +233,9 @@ fit (Style *style, Sample sample, const double size[2])
     return;
   if (style->width > 0)
     scale (style, MIN (1, most / style->width));
-  if (style->dash > 0) {
-    const double n = sample == SAMPLE_CIRCLE ? 5 : 3;
-    const double part = MIN (1, length / n / (style->dash + style->gap));
-
-    style->dash *= part;
-    style->gap *= part;
-  }
+  if (style->dash > 0)
+    shorten (style, MIN (1, length / (sample == SAMPLE_CIRCLE ? 5 : 3)
+                                / (style->dash + style->gap)));
 }
 
 /* Ridges and creases lie between areas; others on the ground. */
@@ -249,6 +291,8 @@ painter_swatch (cairo_t *cr,
     paint_triangle (cr, item, theme, size);
   else if (item->role == ROLE_CELL && item->emphasis != EMPHASIS_LOUD)
     paint_cells (cr, item, theme, size);
+  else if (item->role == ROLE_SHEET)
+    paint_sheet (cr, item, theme, size);
   else if (sample == SAMPLE_AREA)
     paint_area (cr, &style, theme, item->role == ROLE_PLANE ? PATCH_SLANT : 0,
                 size);
