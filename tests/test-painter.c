@@ -247,10 +247,12 @@ check_behind (const LookCase *what)
   Names *names = names_new ();
   Drawing *drawing = drawing_new (names);
   LookScene look;
+  double least;
   guint n = 0;
   uint32_t i;
 
   look_scene_init (&look, what, PICTURE_SPACE);
+  least = 0.9 * look.theme->styles[ROLE_SITE].radius * look.theme->mark_factor;
   drawing_set_stock (drawing, &look.scene, &look.projection, look.theme);
   for (i = 0; i < drawing->n_strokes; i++) {
     const Stroke *stroke = &drawing->strokes[i];
@@ -259,7 +261,7 @@ check_behind (const LookCase *what)
 
     if (stroke->kind != STROKE_MARK || item->role != ROLE_SITE)
       continue;
-    is_small = drawing->styles[stroke->style].casing <= 0;
+    is_small = drawing->styles[stroke->style].radius < least;
     if (is_small != is_behind_hull (&look, look.scene.points[item->first]))
       g_error ("%s: %s looks wrong", what->name, item->label);
     n += is_small;

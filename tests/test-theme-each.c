@@ -1,4 +1,4 @@
-/* What single themes promise. */
+/* What single themes promise, and all of them of quiet marks. */
 #include "sight.h"
 
 #define MARK_CONTRAST_HIGH 7.0 /* Source: WCAG 2.1, 1.4.6, that of text */
@@ -112,6 +112,97 @@ test_projector_is_heavy (void)
   }
 }
 
+/* Quiet marks */
+
+/* A quiet horizon is thinner, and of the colour that the legend shows. */
+static void
+check_quiet (const Theme *theme)
+{
+  static const Role roles[] = { ROLE_HORIZON, ROLE_HORIZON_UPPER };
+
+  for (guint i = 0; i < G_N_ELEMENTS (roles); i++) {
+    const SceneItem item = { .role = roles[i], .emphasis = EMPHASIS_PALE };
+    const Style quiet = theme_style (theme, &item);
+    const Style full = sight_style (theme, roles[i]);
+
+    g_assert_true (colour_equal (quiet.line, full.line));
+    g_assert_cmpfloat (quiet.width, <, 0.85 * full.width);
+    g_assert_cmpfloat (quiet.width, >, 1.5 * theme->line_factor);
+  }
+}
+
+/* Without colours lines are known by how wide they are: a quiet one is still
+ * closer to the sample of its own kind than to that of a thinner kind. */
+static void
+test_widths (void)
+{
+  static const Role kinds[]
+      = { ROLE_VORONOI_EDGE, ROLE_RIDGE, ROLE_DELAUNAY_EDGE, ROLE_CONE_EDGE,
+          ROLE_HORIZON };
+  const Theme *theme = theme_get (THEME_PRINT);
+
+  for (guint i = 1; i < G_N_ELEMENTS (kinds); i++) {
+    const SceneItem item = { .role = kinds[i], .emphasis = EMPHASIS_PALE };
+    const double thinner = sight_style (theme, kinds[i - 1]).width;
+    const double own = sight_style (theme, kinds[i]).width;
+    const double quiet = theme_style (theme, &item).width;
+
+    g_assert_cmpfloat (own, >, 1.2 * thinner);
+    g_assert_cmpfloat (quiet / thinner, >, own / quiet);
+  }
+}
+
+/* No hatch shows through the inside of a quiet mark. */
+static void
+check_inside (const Theme *theme)
+{
+  const SceneItem item = { .role = ROLE_VORONOI_VERTEX_DYING,
+                           .shape = SHAPE_MARK,
+                           .emphasis = EMPHASIS_PALE };
+  const Style quiet = theme_style (theme, &item);
+
+  g_assert_cmpfloat (quiet.fill.alpha, >, 0.5);
+}
+
+/* A quiet diamond is as bright as its sample, and stands out from the cone, or
+ * from the ring that parts the two. */
+static void
+check_quiet_diamond (const Theme *theme)
+{
+  const SceneItem item = { .role = ROLE_VORONOI_VERTEX_DYING,
+                           .shape = SHAPE_MARK,
+                           .emphasis = EMPHASIS_PALE };
+  const SceneItem cell = { .role = ROLE_CELL };
+  const Style quiet = theme_style (theme, &item);
+  const Colour cone = sight_over (sight_style (theme, ROLE_CONE).fill,
+                                  theme_style (theme, &cell).fill);
+  const double value = sight_contrast (quiet.line, cone);
+  const double ring = sight_contrast (quiet.line, theme->background);
+
+  g_assert_true (colour_equal (
+      quiet.line, sight_style (theme, ROLE_VORONOI_VERTEX_DYING).line));
+  if (value < 3 && (quiet.casing < 0.8 || ring < 3))
+    sight_fault (theme, "quiet diamond", ROLE_CONE, "cone", value);
+}
+
+static void
+test_quiet_diamond (void)
+{
+  sight_for_each_theme (check_quiet_diamond);
+}
+
+static void
+test_inside (void)
+{
+  sight_for_each_theme (check_inside);
+}
+
+static void
+test_quiet (void)
+{
+  sight_for_each_theme (check_quiet);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -125,5 +216,12 @@ main (int argc, char **argv)
                    test_papers_colours);
   g_test_add_func ("/theme-each/the-projectors-lines-are-heavy",
                    test_projector_is_heavy);
+  g_test_add_func ("/theme-each/a-quiet-horizon-is-the-same-mark", test_quiet);
+  g_test_add_func ("/theme-each/a-quiet-mark-keeps-its-inside", test_inside);
+  g_test_add_func (
+      "/theme-each/in-print-quiet-lines-keep-their-place-in-widths",
+      test_widths);
+  g_test_add_func ("/theme-each/a-quiet-diamond-stands-out-from-the-cone",
+                   test_quiet_diamond);
   return g_test_run ();
 }

@@ -209,6 +209,17 @@ test_space (void)
   sight_for_each_theme (check_space);
 }
 
+/* On a dark ground the strokes of a lattice are as bright as the dots on it;
+ * on a light one a ring would lift what is hidden onto the facet. */
+static void
+check_ring_behind (const Theme *theme, const Style *hidden)
+{
+  if (sight_lightness (theme->background) > 50)
+    g_assert_cmpfloat (hidden->casing, ==, 0);
+  else
+    g_assert_cmpfloat (hidden->casing, >=, 1);
+}
+
 /* What the hull hides is seen through its facets. */
 static void
 check_behind (const Theme *theme)
@@ -220,7 +231,7 @@ check_behind (const Theme *theme)
 
   theme_put_behind (theme, &style);
   g_assert_cmpfloat (style.radius, <, 0.8 * radius);
-  g_assert_cmpfloat (style.casing, ==, 0);
+  check_ring_behind (theme, &style);
   for (i = 0; i < facets->len; i++) {
     const Ground *ground = &g_array_index (facets, Ground, i);
     const double value = sight_contrast (

@@ -21,6 +21,7 @@ void
 theme_contrast (Theme *theme)
 {
   theme_dip (theme, &palette);
+  theme->far_casing = 0.8;
   theme->line_factor = 1.3;
   theme->mark_factor = 1.2;
   theme->text_px = 18;

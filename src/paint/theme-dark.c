@@ -21,6 +21,7 @@ void
 theme_dark (Theme *theme)
 {
   theme_dip (theme, &palette);
+  theme->far_casing = 0.8;
   theme->cell_lightness = 0.31;
   theme->cell_chroma = 0.03;
   theme->styles[ROLE_SIGN_RIGHT].fill = theme_colour (0x7d6415, 1);

@@ -21,7 +21,7 @@ static const Palette palette = { {
     [INK_VERTICAL_LINE] = 0x404040, [INK_RIDGE] = 0x001a33,
     [INK_SHEET] = 0xffff00,         [INK_SHEET_LINE] = 0x6e6500,
     [INK_LIFT] = 0x222222,          [INK_GROUND] = 0x666666,
-    [INK_FURTHEST] = 0x006000,
+    [INK_FURTHEST] = 0x008000,
 } };
 
 void
@@ -39,6 +39,7 @@ theme_paper (Theme *theme)
   theme->styles[ROLE_LOWER].fill.alpha = 1;
   theme->styles[ROLE_UPPER].fill.alpha = 1;
   theme->styles[ROLE_DELAUNAY_EDGE].width = 3.6;
+  theme->styles[ROLE_FURTHEST_EDGE].width = 5;
   theme->styles[ROLE_CONE_EDGE].width = 5;
   theme->styles[ROLE_CONE_EDGE].casing = 7;
   /* Feet are as black. */

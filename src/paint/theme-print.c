@@ -1,7 +1,8 @@
 /* Black ink on white paper, for printers and copiers that know no grey: what
  * other themes say in colours is said in hatches, dashes, widths and shapes.
- * What is pale elsewhere is thin here. One grey is left, of the current facet,
- * whose heavy line is no other's. */
+ * What is pale elsewhere is a little thinner here, but keeps its place in the
+ * order of widths, which tells what it is. One grey is left, of the current
+ * facet, whose heavy line is no other's. */
 #include "theme-private.h"
 
 static const Palette palette = { {
@@ -20,7 +21,10 @@ static const Palette palette = { {
     [INK_FURTHEST] = 0x000000,
 } };
 
-/* A pen for each line that is not of the active set. */
+/* Of what is pale: still closer to its own pen than to the next thinner one. */
+#define PALE_WIDTH 0.82
+
+/* A pen for each line that is told by its width alone. */
 static const struct {
   Role role;
   double width;
@@ -36,6 +40,7 @@ static const struct {
   { ROLE_TANGENT_EDGE, 2 },
   { ROLE_DELAUNAY_EDGE, 2.5 },
   { ROLE_CONTOUR, 0.5 },
+  { ROLE_HORIZON, 6 },
   { ROLE_LIFT, 0.75 },
   { ROLE_LIFT_APEX, 3.2 },
   { ROLE_GAP, 4.8 },
@@ -129,7 +134,8 @@ theme_print (Theme *theme)
   theme->cell_chroma = 0;
   theme->has_plates = true;
   theme->pale_line = 1;
-  theme->pale_width = 0.5;
+  theme->pale_width = PALE_WIDTH;
+  theme->pale_hatch = 0.5;
   theme->far_line = 1;
   theme->far_width = 0.5;
   set_areas (theme);

@@ -89,8 +89,9 @@ static const Row rows[N_ROLES] = {
   [ROLE_VORONOI_EDGE] = { .line = INK_VORONOI, .style = { .width = 1.3 } },
   [ROLE_DELAUNAY_EDGE] = { .line = INK_DELAUNAY, .style = { .width = 2.6 } },
   [ROLE_TANGENT_EDGE] = { .line = INK_VORONOI, .style = { .width = 2.4 } },
+  /* On the hull it lies on a Delaunay edge, and is seen on both sides of it. */
   [ROLE_FURTHEST_EDGE]
-  = { .line = INK_FURTHEST, .style = { .width = 2.4, .dash = 12, .gap = 3 } },
+  = { .line = INK_FURTHEST, .style = { .width = 3.6, .dash = 9, .gap = 6 } },
   [ROLE_FURTHEST_VORONOI]
   = { .line = INK_FURTHEST, .style = { .width = 1.5, .dash = 4, .gap = 3 } },
   [ROLE_PREVIEW_EDGE]
@@ -250,6 +251,7 @@ theme_dip (Theme *theme, const Palette *palette)
     .pale_line = 0.55,
     .pale_contrast = PALE_CONTRAST,
     .pale_width = 0.8,
+    .pale_hatch = 0.8,
     .pale_fill = 0.32,
     .far_line = 0.5,
     .far_width = 0.75,

@@ -89,12 +89,29 @@ fade (const Theme *theme, Colour line)
   return pale;
 }
 
-/* A pale black would be a grey line, of which no legend tells. The horizon is
- * told by its ink, and is thinner instead. */
+static bool
+is_horizon (Role role)
+{
+  return role == ROLE_HORIZON || role == ROLE_HORIZON_UPPER;
+}
+
+/* A pale black would be a grey line, of which no legend tells: the horizon is
+ * told by its ink, and is thinner instead. A pale diamond would sink into the
+ * cone that it lies on. */
 static bool
 is_told_by_ink (Role role)
 {
-  return role == ROLE_HORIZON || role == ROLE_HORIZON_UPPER;
+  return is_horizon (role) || role == ROLE_VORONOI_VERTEX_DYING;
+}
+
+/* Where no ink ever pales, widths tell what a line is: all of them become
+ * thinner alike. */
+static double
+quiet_width (const Theme *theme, Role role)
+{
+  return is_horizon (role) && theme->pale_line < 1
+             ? fmin (QUIET_WIDTH, theme->pale_width)
+             : theme->pale_width;
 }
 
 /* For when a theme is as it should be: what is pale follows. */
@@ -112,9 +129,7 @@ fade_lines (Theme *theme)
 static void
 make_pale (const Theme *theme, Role role, Style *style)
 {
-  const double width = is_told_by_ink (role)
-                           ? fmin (QUIET_WIDTH, theme->pale_width)
-                           : theme->pale_width;
+  const double width = quiet_width (theme, role);
 
   style->line = theme->pale_lines[role];
   /* What is inside a mark keeps off what lies under it. */
@@ -122,7 +137,7 @@ make_pale (const Theme *theme, Role role, Style *style)
     style->fill.alpha *= theme_has_hue (role) ? PALE_CELL : theme->pale_fill;
   style->width *= width;
   style->casing *= width;
-  style->hatch_width *= theme->pale_width;
+  style->hatch_width *= theme->pale_hatch;
 }
 
 /* Making */
@@ -209,7 +224,7 @@ theme_put_behind (const Theme *theme, Style *style)
   style->radius *= BEHIND_RADIUS;
   style->width *= theme->far_width;
   style->line.alpha *= sqrt (theme->far_line);
-  style->casing = 0;
+  style->casing *= theme->far_casing;
 }
 
 static void

@@ -71,12 +71,14 @@ typedef struct Theme {
   double pale_line;                   /* how far what is pale keeps its ink */
   double pale_contrast;               /* but it is never less than this */
   double pale_width;                  /* of lines that are pale */
+  double pale_hatch;                  /* of strokes of their hatches */
   double pale_fill;                   /* alpha of areas that are pale */
   double far_line;                    /* alpha of lines behind the hull */
   double far_width;
-  bool has_mat;    /* pure hues: neither the sheet nor far facets may shine
-                      through facets and change them */
-  bool has_plates; /* hatches are all over: names of facets lie on plates */
+  double far_casing; /* of sites behind the hull */
+  bool has_mat;      /* pure hues: neither the sheet nor far facets may shine
+                        through facets and change them */
+  bool has_plates;   /* hatches are all over: names of facets lie on plates */
   Style styles[N_ROLES];
   Colour pale_lines[N_ROLES]; /* as far from the ground as must be */
 } Theme;
@@ -100,7 +102,8 @@ bool theme_equal (const Theme *a, const Theme *b);
 Style theme_style (const Theme *theme, const SceneItem *item);
 
 /* A site that the hull hides is a smaller and paler mark without a ring, so
- * that it does not seem to lie on the facet before it. */
+ * that it does not seem to lie on the facet before it. Where lattices are as
+ * bright as sites, a narrow dark ring parts it from them. */
 void theme_put_behind (const Theme *theme, Style *style);
 
 /* Whether the fill of a role is that of each item's own hue. */
