@@ -210,11 +210,23 @@ paint_line (cairo_t *cr, const Theme *theme, Role role)
   brush_line (cr, &style);
 }
 
+/* The upper line is lighter or darker by so much, or wider. */
+#define INKS_RATIO 2.0
+#define WIDTHS_RATIO 1.3
+
 /* The edges of the hull are edges of both triangulations. */
 static void
 check_furthest (const Theme *theme)
 {
+  const Style below = sight_style (theme, ROLE_DELAUNAY_EDGE);
+  const Style above = sight_style (theme, ROLE_FURTHEST_EDGE);
+  const double ratio = sight_contrast (below.line, above.line);
+  const gboolean is_wider = above.dash > 0 && above.gap > 0
+                            && above.width >= WIDTHS_RATIO * below.width;
+
   check_both (theme, paint_line, ROLE_DELAUNAY_EDGE, ROLE_FURTHEST_EDGE);
+  if (ratio < INKS_RATIO && !is_wider)
+    sight_fault (theme, "furthest edge", ROLE_FURTHEST_EDGE, "edge", ratio);
 }
 
 static void
@@ -223,55 +235,17 @@ test_furthest (void)
   sight_for_each_theme (check_furthest);
 }
 
-/* A quiet horizon is thinner, and of the colour that the legend shows. */
-static void
-check_quiet (const Theme *theme)
-{
-  static const Role roles[] = { ROLE_HORIZON, ROLE_HORIZON_UPPER };
-
-  for (guint i = 0; i < G_N_ELEMENTS (roles); i++) {
-    const SceneItem item = { .role = roles[i], .emphasis = EMPHASIS_PALE };
-    const Style quiet = theme_style (theme, &item);
-    const Style full = sight_style (theme, roles[i]);
-
-    g_assert_true (colour_equal (quiet.line, full.line));
-    g_assert_cmpfloat (quiet.width, <, 0.8 * full.width);
-    g_assert_cmpfloat (quiet.width, >, 1.5 * theme->line_factor);
-  }
-}
-
-/* No hatch shows through the inside of a quiet mark. */
-static void
-check_inside (const Theme *theme)
-{
-  const SceneItem item = { .role = ROLE_VORONOI_VERTEX_DYING,
-                           .shape = SHAPE_MARK,
-                           .emphasis = EMPHASIS_PALE };
-  const Style quiet = theme_style (theme, &item);
-
-  g_assert_cmpfloat (quiet.fill.alpha, >, 0.5);
-}
-
-static void
-test_inside (void)
-{
-  sight_for_each_theme (check_inside);
-}
-
-static void
-test_quiet (void)
-{
-  sight_for_each_theme (check_quiet);
-}
-
 /* Strokes of a drawing */
 
 static Drawing *
-draw (const Scene *scene, const Projection *projection, Names *names)
+draw (const Scene *scene,
+      const Projection *projection,
+      ThemeKind theme,
+      Names *names)
 {
   Drawing *drawing = drawing_new (names);
 
-  drawing_set (drawing, scene, projection, theme_get (THEME_PROJECTOR));
+  drawing_set (drawing, scene, projection, theme_get (theme));
   return drawing;
 }
 
@@ -283,14 +257,15 @@ role_of (const Scene *scene, const Stroke *stroke)
              : scene->items[stroke->place.item].role;
 }
 
-/* An edge that leaves the horizon at a small angle has no gap beside it. */
+/* An edge that leaves the horizon, or a site on a circle, at a small angle has
+ * no gap beside it. */
 static void
-test_horizon (void)
+check_casings (Phase phase, Role line)
 {
-  g_autoptr (Stage) stage = stage_new ("lecture8", 3, PHASE_HORIZON);
+  g_autoptr (Stage) stage = stage_new ("lecture8", 3, phase);
   const Scene *scene = &stage->plane;
   Names *names = names_new ();
-  Drawing *drawing = draw (scene, &stage->on_plane, names);
+  Drawing *drawing = draw (scene, &stage->on_plane, THEME_PROJECTOR, names);
   guint n_casings = 0, n_edges = 0;
 
   for (guint i = 0; i < drawing->n_strokes; i++) {
@@ -298,15 +273,29 @@ test_horizon (void)
     const Role role = role_of (scene, stroke);
 
     n_edges += role == ROLE_DELAUNAY_EDGE && stroke->kind == STROKE_LINE;
-    if (role != ROLE_HORIZON || stroke->kind != STROKE_CASING)
+    if (role != line || stroke->kind != STROKE_CASING)
       continue;
     g_assert_cmpuint (n_edges, ==, 0);
     n_casings++;
   }
-  g_assert_cmpuint (n_casings, ==, stage_count (scene, ROLE_HORIZON));
+  g_assert_cmpuint (n_casings, ==, stage_count (scene, line));
+  g_assert_cmpuint (n_casings, >, 0);
   g_assert_cmpuint (n_edges, >, 3);
   drawing_free (drawing);
   names_free (names);
+}
+
+static void
+test_horizon (void)
+{
+  check_casings (PHASE_HORIZON, ROLE_HORIZON);
+}
+
+static void
+test_circle_casings (void)
+{
+  check_casings (PHASE_HORIZON, ROLE_CIRCLE_VISIBLE);
+  check_casings (PHASE_CONE, ROLE_CIRCLE_VISIBLE);
 }
 
 /* As the legend says, also in a small crowd. */
@@ -320,7 +309,7 @@ test_lifts (void)
   guint n = 0;
 
   stage_project (stage, 360, 600);
-  drawing = draw (&stage->space, &stage->on_space, names);
+  drawing = draw (&stage->space, &stage->on_space, THEME_PROJECTOR, names);
   for (guint i = 0; i < drawing->n_strokes; i++)
     if (role_of (&stage->space, &drawing->strokes[i]) == ROLE_LIFT) {
       g_assert_cmpfloat (drawing->styles[drawing->strokes[i].style].dash, >, 1);
@@ -329,6 +318,45 @@ test_lifts (void)
   g_assert_cmpuint (n, >, 30);
   drawing_free (drawing);
   names_free (names);
+}
+
+/* In space a Voronoi vertex is tiny, but never when it is selected. */
+static guint
+count_lit_vertices (const Stage *stage, ThemeKind theme)
+{
+  Names *names = names_new ();
+  Drawing *drawing = draw (&stage->space, &stage->on_space, theme, names);
+  guint n = 0;
+
+  for (guint i = 0; i < drawing->n_strokes; i++) {
+    const Stroke *stroke = &drawing->strokes[i];
+
+    n += stroke->kind == STROKE_MARK
+         && role_of (&stage->space, stroke) == ROLE_VORONOI_VERTEX
+         && drawing->styles[stroke->style].halo.alpha > 0;
+  }
+  drawing_free (drawing);
+  names_free (names);
+  return n;
+}
+
+/* Vertices may lie beyond the ground that is shown. */
+static void
+test_lit_vertex (void)
+{
+  g_autoptr (Stage) stage = stage_at_end ("lecture8");
+  guint n[N_THEMES] = { 0 };
+
+  for (guint i = 0; i < stage->frame.delaunay.n_triangles; i++) {
+    stage->look.selection
+        = (Object){ OBJECT_VERTEX, stage->frame.delaunay.triangles[i].facet };
+    stage_draw (stage);
+    for (int theme = 0; theme < N_THEMES; theme++)
+      n[theme] += count_lit_vertices (stage, (ThemeKind)theme);
+  }
+  g_assert_cmpuint (n[THEME_LIGHT], >=, 4);
+  for (int theme = 0; theme < N_THEMES; theme++)
+    g_assert_cmpuint (n[theme], ==, n[THEME_LIGHT]);
 }
 
 /* Answers */
@@ -387,10 +415,11 @@ main (int argc, char **argv)
                    test_diamond);
   g_test_add_func ("/overlay/both-triangulations-are-seen-on-the-hull",
                    test_furthest);
-  g_test_add_func ("/overlay/a-quiet-horizon-is-the-same-mark", test_quiet);
-  g_test_add_func ("/overlay/a-quiet-mark-keeps-its-inside", test_inside);
   g_test_add_func ("/overlay/edges-reach-the-horizon", test_horizon);
+  g_test_add_func ("/overlay/circles-do-not-cut-edges", test_circle_casings);
   g_test_add_func ("/overlay/lifts-in-a-small-crowd-are-dashed", test_lifts);
+  g_test_add_func ("/overlay/a-selected-vertex-is-seen-in-space",
+                   test_lit_vertex);
   g_test_add_func ("/overlay/answers-have-the-names-of-their-facets",
                    test_answers);
   return g_test_run ();

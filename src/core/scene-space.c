@@ -68,10 +68,10 @@ add_plane (SceneBuilder *builder)
   if (scene_has_layer (builder, LAYER_VORONOI))
     scene_add_voronoi_edges (diagram);
   scene_add_circles (builder, box, false);
+  scene_add_cone_shadow (builder);
   scene_add_delaunay_edges (builder);
   scene_add_seen_edges (builder);
   scene_add_furthest (builder, box);
-  scene_add_cone_shadow (builder);
   scene_add_circles (builder, box, true);
   scene_add_cone_edges (builder, false);
   scene_add_horizon (builder, false);

@@ -8,10 +8,13 @@ painter_begin_item (Painter *painter, uint32_t item, uint32_t anchor)
   painter->drawing->next.anchor = anchor;
 }
 
+/* Lines that run along edges, or leave a site close beside them. */
 static bool
-is_horizon (const SceneItem *item)
+has_low_casing (const SceneItem *item)
 {
-  return item->role == ROLE_HORIZON || item->role == ROLE_HORIZON_UPPER;
+  return item->role == ROLE_HORIZON || item->role == ROLE_HORIZON_UPPER
+         || item->role == ROLE_CIRCLE_VISIBLE
+         || item->role == ROLE_CIRCLE_UPPER;
 }
 
 /* Edges of the old triangulation, on which the horizon lies. */
@@ -42,16 +45,17 @@ add_casing (Painter *painter, uint32_t number, uint32_t anchor)
   return true;
 }
 
-/* An edge that leaves a corner of the horizon close beside it would begin in
- * mid-air, where the wide casing ends: it lies under the edges. */
+/* An edge that leaves a corner of the horizon or a site on a circle close
+ * beside it would begin in mid-air, where the casing ends: it lies under the
+ * edges. */
 static void
-add_horizon (Painter *painter, const PaintOrder *order, uint32_t first)
+add_low_casings (Painter *painter, const PaintOrder *order, uint32_t first)
 {
   const uint32_t end = order->starts[painter->drawing->next.layer + 1];
   uint32_t i;
 
   for (i = first; i < end; i++)
-    if (is_horizon (&painter->scene->items[order->items[i]]))
+    if (has_low_casing (&painter->scene->items[order->items[i]]))
       add_casing (painter, order->items[i], order->items[first]);
 }
 
@@ -71,7 +75,7 @@ add_chain (Painter *painter,
 
     if (item->shape != SHAPE_PATH)
       break;
-    if (casings->has_horizon && is_horizon (item))
+    if (casings->has_low && has_low_casing (item))
       continue;
     if (!add_casing (painter, order->items[i], order->items[first]))
       break;
@@ -87,9 +91,9 @@ painter_add_casings (Painter *painter,
 {
   const SceneItem *item = &painter->scene->items[order->items[i]];
 
-  if (!casings->has_horizon && is_old_edge (item)) {
-    add_horizon (painter, order, i);
-    casings->has_horizon = true;
+  if (!casings->has_low && is_old_edge (item)) {
+    add_low_casings (painter, order, i);
+    casings->has_low = true;
   }
   if (i >= casings->end)
     add_chain (painter, order, i, casings);

@@ -97,10 +97,10 @@ void painter_add_items (Painter *painter, const uint32_t *items, uint32_t n);
 void painter_begin_item (Painter *painter, uint32_t item, uint32_t anchor);
 
 /* Which casings of a layer are there so far: those of the items before @end,
- * in the order of paint; and of the horizon. */
+ * in the order of paint; and those that lie under all edges. */
 typedef struct Casings {
   uint32_t end;
-  bool has_horizon;
+  bool has_low;
 } Casings;
 
 /* Adds the casings that lie under the line at place @i of the order. */

@@ -10,7 +10,9 @@
 #define UNDER_ALPHA 0.12
 #define FAR_FILL 0.45
 
-#define LEAST_RADIUS 1.3 /* of a mark; what is smaller is left out */
+#define LEAST_RADIUS                                                           \
+  1.3 /* of a mark; what is smaller is left out,                               \
+         unless it is lit */
 
 #define DASH_LEAST 1.6 /* of the lifts; below, so many are hardly seen */
 
@@ -132,7 +134,7 @@ style_is_unseen (const Style *style, const SceneItem *item)
     return style->line.alpha <= 0;
   case SHAPE_MARK:
     return style->mark == MARK_NONE || item->fade >= 1
-           || style->radius < LEAST_RADIUS;
+           || (style->radius < LEAST_RADIUS && style->halo.alpha <= 0);
   }
   return false;
 }
