@@ -291,6 +291,40 @@ test_sketch (void)
   gl_clear (&gl);
 }
 
+/* A name stands in the same place while the view is turned, and after it. */
+static void
+check_names_of_sketch (Gl *gl, ThemeKind theme, guint n_sites)
+{
+  LookScene look;
+  Pixel at;
+
+  crowd_init (&look, n_sites, theme);
+  name_places_forget (names_places (gl->names));
+  drawing_set (gl->drawing, &look.scene, &look.projection, look.theme);
+  g_assert_cmpuint (gl->drawing->n_placed, ==, 1);
+  at = gl->drawing->placed[0].at;
+  name_places_forget (names_places (gl->names));
+  drawing_set_sketch (gl->drawing, &look.scene, &look.projection, look.theme,
+                      1);
+  g_assert_true (gl->drawing->is_sketch);
+  g_assert_cmpuint (gl->drawing->n_placed, ==, 1);
+  g_assert_cmpfloat (gl->drawing->placed[0].at.x, ==, at.x);
+  g_assert_cmpfloat (gl->drawing->placed[0].at.y, ==, at.y);
+  look_scene_clear (&look);
+}
+
+static void
+test_names_of_sketch (void)
+{
+  Gl gl;
+
+  gl_init (&gl, FALSE);
+  for (int kind = 0; kind < N_THEMES; kind++)
+    for (guint n_sites = 1200; n_sites < 1210; n_sites++)
+      check_names_of_sketch (&gl, (ThemeKind)kind, n_sites);
+  gl_clear (&gl);
+}
+
 /* With few sites each line is looked at. */
 static void
 test_small_sketch (void)
@@ -337,6 +371,8 @@ main (int argc, char **argv)
   g_test_add_func ("/gl/every-theme-looks-as-in-cairo", test_themes);
   g_test_add_func ("/gl/what-moves-is-the-same-picture", test_rough);
   g_test_add_func ("/gl/a-sketch-is-the-same-from-afar", test_sketch);
+  g_test_add_func ("/gl/a-sketch-has-its-names-where-they-stay",
+                   test_names_of_sketch);
   g_test_add_func ("/gl/little-is-never-sketched", test_small_sketch);
   g_test_add_func ("/gl/fine-screens-show-the-same-picture", test_scale);
   g_test_add_func ("/gl/a-picture-that-fails-is-an-error", test_failure);

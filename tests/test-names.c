@@ -41,10 +41,10 @@ judge_frame (const Fixture *fixture, const Frame *frame, Object selection)
 
 /* Returns: how many names there are at four steps. */
 static guint
-judge_steps (guint n_sites)
+judge_steps (guint32 seed, guint n_sites)
 {
   g_autoptr (Fixture) fixture
-      = fixture_new (FAMILY_RANDOM, 7, n_sites, ORDER_FURTHEST);
+      = fixture_new (FAMILY_RANDOM, seed, n_sites, ORDER_FURTHEST);
   const uint32_t n_events = fixture->trace->n_events;
   guint n_names = 0;
 
@@ -65,10 +65,20 @@ test_names_stand_well (void)
 {
   const guint n_pictures = 4 * N_THEMES * G_N_ELEMENTS (sizes) * 2;
 
-  g_assert_cmpuint (judge_steps (12), >, n_pictures * 11);
-  g_assert_cmpuint (judge_steps (25), >, n_pictures * 18);
-  g_assert_cmpuint (judge_steps (60), >, n_pictures * 12);
-  g_assert_cmpuint (judge_steps (100), >, n_pictures * 8);
+  g_assert_cmpuint (judge_steps (7, 12), >, n_pictures * 11);
+  g_assert_cmpuint (judge_steps (7, 25), >, n_pictures * 18);
+  g_assert_cmpuint (judge_steps (7, 60), >, n_pictures * 12);
+  g_assert_cmpuint (judge_steps (7, 100), >, n_pictures * 8);
+}
+
+/* Sets where a heavy line all but ends between a name and its dot. */
+static void
+test_names_are_not_cut_off (void)
+{
+  static const guint32 seeds[] = { 31, 32, 38 };
+
+  for (guint i = 0; i < G_N_ELEMENTS (seeds); i++)
+    judge_steps (seeds[i], 12);
 }
 
 /* What moves */
@@ -318,6 +328,7 @@ main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/names/each-stands-well", test_names_stand_well);
+  g_test_add_func ("/names/none-is-cut-off", test_names_are_not_cut_off);
   g_test_add_func ("/names/one-stays-where-it-stands-well-while-things-move",
                    test_names_stay);
   g_test_add_func ("/names/a-step-is-the-same-whichever-way-one-came",

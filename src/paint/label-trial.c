@@ -32,6 +32,10 @@ static const double gaps[N_GAPS] = { 1.5, 5, 8.5, 12, 18, 26, 36, 44 };
 /* Less than that, this part of it, will do for a name to stay where it is. */
 #define HELD 0.75
 
+/* Names are painted on whole pixels: this far from where they are placed, px.
+ */
+#define ROUNDING 0.5
+
 /* Between two names side by side, parts of their height. */
 #define APART 0.6
 
@@ -186,9 +190,8 @@ segment_meets (const Pixel ends[2], const PixelBox *box)
                             (Pixel){ box->right, box->bottom }, cut);
 }
 
-/* Marks in the same place share their name. */
-static bool
-is_own (const Label *label, Pixel at)
+bool
+label_is_own (const Label *label, Pixel at)
 {
   return fabs (at.x - label->at.x) + fabs (at.y - label->at.y) <= 1;
 }
@@ -208,7 +211,7 @@ find_marks (const LabelNear *near,
     const double square = square_to (&trial->box, mark->at);
     const double reach = trial->is_held ? mark->radius : mark->reach;
     const double needed = mark->radius + nearest;
-    const bool is_others = !is_own (label, mark->at);
+    const bool is_others = !label_is_own (label, mark->at);
 
     if (square < reach * reach && (is_others || !label->is_centred))
       trial->fault += COST_MARK;
@@ -232,11 +235,29 @@ segments_cross (Pixel a, Pixel b, Pixel c, Pixel d)
          && (turn (c, d, a) > 0) != (turn (c, d, b) > 0);
 }
 
+/* Whether a line is crossed on the way to the middle of a name, wherever within
+ * @room px of it that comes to lie. */
+static bool
+is_between (const FieldLine *line, Pixel from, Pixel middle, double room)
+{
+  const Pixel *ends = line->ends;
+
+  for (int i = 0; i < 4; i++) {
+    const Pixel to = { middle.x + (i % 2 == 0 ? room : -room),
+                       middle.y + (i < 2 ? room : -room) };
+
+    if (segments_cross (from, to, ends[0], ends[1]))
+      return true;
+  }
+  return false;
+}
+
 /* A line lies between when it is crossed on the way from the mark to the middle
  * of the name. */
 static void
 find_lines (const LabelNear *near, const Label *label, LabelTrial *trial)
 {
+  const double room = trial->is_held ? ROUNDING : 2 * ROUNDING;
   const Pixel middle = { (trial->box.left + trial->box.right) / 2,
                          (trial->box.top + trial->box.bottom) / 2 };
 
@@ -245,8 +266,7 @@ find_lines (const LabelNear *near, const Label *label, LabelTrial *trial)
   for (guint i = 0; i < near->lines->len; i++) {
     const FieldLine *line = &g_array_index (near->lines, FieldLine, i);
 
-    if (line->is_heavy
-        && segments_cross (label->at, middle, line->ends[0], line->ends[1])) {
+    if (line->is_heavy && is_between (line, label->at, middle, room)) {
       trial->doubt += COST_BETWEEN;
       return;
     }
@@ -322,7 +342,7 @@ fault_of_leader (const LabelNear *near, const Label *label, LabelTrial *trial)
   for (guint i = 0; i < near->marks->len; i++) {
     const FieldMark *mark = &g_array_index (near->marks, FieldMark, i);
 
-    if (!is_own (label, mark->at)
+    if (!label_is_own (label, mark->at)
         && distance_from (mark->at, ends) < mark->radius)
       return COST_LEADER;
   }

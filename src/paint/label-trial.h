@@ -47,6 +47,9 @@ void label_trial_judge (LabelTrial *trial,
 /* Whether a leader has to tell whose name it would be. */
 bool label_trial_is_led (const LabelTrial *trial, const Label *label);
 
+/* Whether a mark is its own: marks in the same place share their name. */
+bool label_is_own (const Label *label, Pixel at);
+
 /* The way of the leader, from the middle of the mark. */
 void label_leader (const Label *label, const PixelBox *box, Pixel ends[2]);
 

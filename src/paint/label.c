@@ -90,10 +90,27 @@ label_sheet_name (LabelSheet *sheet, const PixelBox *box, bool is_fixed)
   label_field_add_name (sheet->field, &(FieldName){ *box, is_fixed });
 }
 
+/* How large the label's own mark is painted: behind the hull it is smaller. */
+static double
+own_radius (const LabelNear *near, const Label *label)
+{
+  double radius = label->radius;
+
+  for (guint i = 0; i < near->marks->len; i++) {
+    const FieldMark *mark = &g_array_index (near->marks, FieldMark, i);
+
+    if (label_is_own (label, mark->at))
+      radius = MIN (radius, mark->radius);
+  }
+  return radius;
+}
+
 /* Lines that run into the label's own mark lie between it and nothing. */
 static void
 lighten_own (LabelNear *near, const Label *label)
 {
+  const double radius = own_radius (near, label);
+
   for (guint i = 0; i < near->lines->len; i++) {
     FieldLine *line = &g_array_index (near->lines, FieldLine, i);
     const double dx = line->ends[1].x - line->ends[0].x;
@@ -106,7 +123,7 @@ lighten_own (LabelNear *near, const Label *label)
     if (line->is_heavy
         && hypot (line->ends[0].x + part * dx - label->at.x,
                   line->ends[0].y + part * dy - label->at.y)
-               <= label->radius)
+               <= radius)
       line->is_heavy = false;
   }
 }

@@ -139,23 +139,71 @@ add_ink_of (const Painter *painter,
 }
 
 static void
+mark_squares_near (Squares *squares,
+                   const InkSource *source,
+                   const GArray *labels)
+{
+  const SquareGrid grid = square_grid_of (
+      source->drawing->width, source->drawing->height, 1, NEAR_SQUARE);
+
+  squares_init (squares, &grid);
+  for (guint i = 0; i < labels->len; i++) {
+    const PixelBox near = box_near (&g_array_index (labels, Label, i), source);
+
+    squares_mark (squares, &near);
+  }
+}
+
+static void
+add_disc (const Squares *squares,
+          LabelSheet *sheet,
+          const BareVertex *disc,
+          double scale)
+{
+  const Pixel at = { disc->at[0] / scale, disc->at[1] / scale };
+  const double radius = disc->radii[0] / scale;
+  const double reach = MAX (radius, disc->radii[1] / scale);
+  const PixelBox box = { (float)at.x, (float)at.y, (float)at.x, (float)at.y };
+
+  if (squares_meet (squares, &box))
+    label_sheet_mark (sheet, at, radius, reach, true);
+}
+
+/* The marks of a sketch are no strokes. Names stand in it as in the drawing
+ * that follows when all is still. */
+static void
+add_bare_marks (LabelSheet *sheet,
+                const InkSource *source,
+                const GArray *labels)
+{
+  const Drawing *drawing = source->drawing;
+  const Bare *bare = &drawing->bare;
+  Squares squares;
+
+  if (bare->n_runs == 0)
+    return;
+  mark_squares_near (&squares, source, labels);
+  for (uint32_t i = 0; i < bare->n_runs; i++) {
+    const BareRun *run = &bare->runs[i];
+
+    for (uint32_t k = 0; run->kind == BARE_DISCS && k < run->n; k++)
+      add_disc (&squares, sheet, &bare->vertices[run->first + k],
+                drawing->scale);
+  }
+  squares_clear (&squares);
+}
+
+static void
 add_ink_in_squares (const Painter *painter,
                     LabelSheet *sheet,
                     const InkSource *source,
                     const GArray *labels)
 {
   const Drawing *drawing = source->drawing;
-  const SquareGrid grid
-      = square_grid_of (drawing->width, drawing->height, 1, NEAR_SQUARE);
   Squares squares;
   PixelBox all;
 
-  squares_init (&squares, &grid);
-  for (guint i = 0; i < labels->len; i++) {
-    const PixelBox near = box_near (&g_array_index (labels, Label, i), source);
-
-    squares_mark (&squares, &near);
-  }
+  mark_squares_near (&squares, source, labels);
   all = squares_extents (&squares);
   for (uint32_t i = 0; i < drawing->n_strokes; i++)
     if (boxes_meet (&drawing->strokes[i].box, &all)
@@ -172,6 +220,7 @@ painter_add_ink_near (const Painter *painter,
 {
   BoxIndex *strokes = source->strokes;
 
+  add_bare_marks (sheet, source, labels);
   if (strokes == NULL) {
     add_ink_in_squares (painter, sheet, source, labels);
     return;
