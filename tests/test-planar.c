@@ -390,6 +390,45 @@ check_scene (const Fixture *fixture)
   planar_trace_free (trace);
 }
 
+/* What is gained is one area, without seams: the hull lies over the part of it
+ * that it has already. */
+static void
+check_gain (const Fixture *fixture)
+{
+  PlanarTrace *trace = planar_trace_record (fixture->set);
+  Scene scene = { 0 };
+
+  for (uint32_t step = 0; step <= trace->n_events; step++) {
+    PlanarFrame frame;
+    SceneLook look = { .layers = LAYERS_DEFAULT,
+                       .extent = site_set_extent (fixture->set),
+                       .low = { -1, -1, 0 },
+                       .high = { 1, 1, 0 } };
+    uint32_t n_gains = 0, n_hulls = 0;
+
+    planar_frame_init (&frame, trace, step);
+    scene_planar (&scene, &frame, &look);
+    for (uint32_t i = 0; i < scene.n_items; i++) {
+      n_hulls += scene.items[i].role == ROLE_HULL_AREA;
+      if (scene.items[i].role != ROLE_CONE)
+        continue;
+      g_assert_cmpuint (n_hulls, ==, 0);
+      n_gains++;
+    }
+    g_assert_cmpuint (n_gains, ==,
+                      frame.counts.cone >= 2 && frame.base != frame.step);
+    planar_frame_clear (&frame);
+  }
+  scene_clear (&scene);
+  planar_trace_free (trace);
+}
+
+static void
+test_gain_is_one_area (void)
+{
+  fixture_for_each (2, 12, ORDER_FURTHEST, check_gain);
+}
+
 static void
 test_scene_shows_every_site_and_edge (void)
 {
@@ -416,6 +455,7 @@ main (int argc, char **argv)
   g_test_add_func ("/planar/course-goes-through-all-phases-of-all-rounds",
                    test_course_goes_through_all_phases_of_all_rounds);
   g_test_add_func ("/planar/course-finds-places", test_course_finds_places);
+  g_test_add_func ("/planar/what-is-gained-is-one-area", test_gain_is_one_area);
   g_test_add_func ("/planar/scene-shows-every-site-and-edge",
                    test_scene_shows_every_site_and_edge);
   return g_test_run ();

@@ -112,6 +112,23 @@ test_projector_is_heavy (void)
   }
 }
 
+/* A hull in the plane hides the part of the next one that it has. */
+static void
+check_hull (const Theme *theme)
+{
+  const SceneItem quiet = { .role = ROLE_HULL_AREA, .emphasis = EMPHASIS_PALE };
+
+  if (sight_style (theme, ROLE_HULL_AREA).fill.alpha < 1
+      || theme_style (theme, &quiet).fill.alpha < 1)
+    sight_fault (theme, "hull", ROLE_HULL_AREA, "cone", 0);
+}
+
+static void
+test_hull (void)
+{
+  sight_for_each_theme (check_hull);
+}
+
 /* Quiet marks */
 
 /* A quiet horizon is thinner, and of the colour that the legend shows. */
@@ -216,6 +233,7 @@ main (int argc, char **argv)
                    test_papers_colours);
   g_test_add_func ("/theme-each/the-projectors-lines-are-heavy",
                    test_projector_is_heavy);
+  g_test_add_func ("/theme-each/a-hull-in-the-plane-is-opaque", test_hull);
   g_test_add_func ("/theme-each/a-quiet-horizon-is-the-same-mark", test_quiet);
   g_test_add_func ("/theme-each/a-quiet-mark-keeps-its-inside", test_inside);
   g_test_add_func (

@@ -44,28 +44,22 @@ add_area (PlanarScene *planar)
     scene_add_point (&planar->builder, at (planar, frame->corners[i]));
 }
 
-/* What the hull gains: the triangles from the visible edges to the
- * current site. */
+/* What the hull gains: a triangle from the corners of the horizon to the
+ * current site, of which the hull hides what it has already. One for each
+ * visible edge would be parted by seams. */
 static void
 add_gain (PlanarScene *planar)
 {
   const PlanarFrame *frame = planar->frame;
-  uint32_t i;
   int k;
 
   if (frame->counts.cone < 2 || frame->base == frame->step)
     return;
-  for (i = 0; i < frame->n_edges; i++) {
-    if (!(frame->edges[i].roles & FACET_VISIBLE))
-      continue;
-    scene_add (&planar->builder, SHAPE_POLYGON, ROLE_CONE, NO_OBJECT);
-    for (k = 0; k < 2; k++)
-      scene_add_point (
-          &planar->builder,
-          at (planar, row_of (planar, frame->edges[i].edge)->corner[k]));
-    scene_add_point (&planar->builder,
-                     at (planar, frame->trace->rounds[frame->round].site));
-  }
+  scene_add (&planar->builder, SHAPE_POLYGON, ROLE_CONE, NO_OBJECT);
+  for (k = 0; k < 2; k++)
+    scene_add_point (&planar->builder, at (planar, frame->horizon[k]));
+  scene_add_point (&planar->builder,
+                   at (planar, frame->trace->rounds[frame->round].site));
 }
 
 static Role
@@ -238,8 +232,8 @@ scene_planar (Scene *scene, const PlanarFrame *frame, const SceneLook *look)
   scene->is_space = false;
   builder->pass = PASS_GROUND;
   scene_add_frame (builder);
-  add_area (&planar);
   add_gain (&planar);
+  add_area (&planar);
   if (current_edge (frame) != INDEX_NONE)
     add_line (&planar, current_edge (frame));
   add_edges (&planar);

@@ -132,8 +132,11 @@ make_pale (const Theme *theme, Role role, Style *style)
   const double width = quiet_width (theme, role);
 
   style->line = theme->pale_lines[role];
-  /* What is inside a mark keeps off what lies under it. */
-  if (style->mark == MARK_NONE)
+  /* What is inside a mark or a hull in the plane keeps off what lies under
+   * it. */
+  if (role == ROLE_HULL_AREA)
+    style->fill = colour_mix (theme->background, style->fill, theme->pale_fill);
+  else if (style->mark == MARK_NONE)
     style->fill.alpha *= theme_has_hue (role) ? PALE_CELL : theme->pale_fill;
   style->width *= width;
   style->casing *= width;
@@ -148,10 +151,20 @@ static void (*const makers[N_THEMES]) (Theme *theme) = {
   [THEME_PRINT] = theme_print,         [THEME_CONTRAST] = theme_contrast,
 };
 
+/* A hull in the plane hides what the next one shares with it. */
+static void
+make_hull_opaque (Theme *theme)
+{
+  Colour *fill = &theme->styles[ROLE_HULL_AREA].fill;
+
+  *fill = colour_mix (theme->background, *fill, fill->alpha);
+}
+
 static void
 make (Theme *theme, ThemeKind kind)
 {
   makers[kind](theme);
+  make_hull_opaque (theme);
   theme->name = theme_kind_name (kind);
   fade_lines (theme);
 }
