@@ -5,6 +5,9 @@
 /* Names are painted on whole pixels. */
 #define ROUNDING 1.0
 
+/* Where all is drawn smaller than this there is a crowd. */
+#define CROWDED 0.75
+
 /* A line of so much ink across is heavy, px at the widths of a theme. */
 #define HEAVY 2.2
 
@@ -221,18 +224,21 @@ is_cut_off (const Shown *shown, const PixelBox *box, Pixel at)
   const Pixel middle
       = { (box->left + box->right) / 2, (box->top + box->bottom) / 2 };
   const double heavy = HEAVY * drawing->theme->line_factor * drawing->size;
-  const double own = radius_at (drawing, at) + ROUNDING;
+  const double radius = radius_at (drawing, at);
 
   for (uint32_t i = 0; i < drawing->n_strokes; i++) {
     const Stroke *stroke = &drawing->strokes[i];
     const Style *style = &drawing->styles[stroke->style];
     const Pixel *pixels = &drawing->pixels[stroke->first];
     const uint32_t item = stroke->place.item;
+    double own;
 
     if (stroke->kind != STROKE_LINE || item == INDEX_NONE
         || shown->scene.items[item].shape != SHAPE_PATH
         || style->width * style->line.alpha < heavy)
       continue;
+    /* The middle of a facet has no dot, but may lie on the line. */
+    own = (radius > 0 ? radius : style->width / 2) + ROUNDING;
     for (uint32_t k = 0; k + 1 < stroke->n; k++)
       if (is_crossed (at, middle, pixels[k], pixels[k + 1])
           && distance_from_line (at, pixels[k], pixels[k + 1]) > own)
@@ -284,6 +290,21 @@ names_fault_of (const Shown *shown,
   return is_cut_off (shown, box, at) ? "lies beyond a heavy line" : NULL;
 }
 
+/* The name of a facet stands in it, or a line leads there; in a crowd, where
+ * facets are smaller than names, it is near. */
+static void
+judge_facet (const Shown *shown, uint32_t name, const char *what)
+{
+  const PlacedName *placed = &shown->drawing->placed[name];
+  const SceneItem *item = &shown->scene.items[placed->item];
+  const Pixel at = names_pixel_of (shown, item);
+  const PixelBox box = names_letters_of (placed);
+
+  if (shown->drawing->size >= CROWDED && is_cut_off (shown, &box, at)
+      && !is_led (shown, placed->item, &box, at))
+    g_error ("%s: %s lies outside its facet", what, item->label);
+}
+
 guint
 names_judge (const Shown *shown, const char *what)
 {
@@ -295,6 +316,8 @@ names_judge (const Shown *shown, const char *what)
     const PixelBox box = names_letters_of (placed);
     const char *fault;
 
+    if (item->role == ROLE_FACET_NAME)
+      judge_facet (shown, i, what);
     if (!names_is_of_site (item))
       continue;
     fault = names_fault_of (shown, i, &box, NEARER);

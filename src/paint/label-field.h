@@ -32,7 +32,8 @@ typedef struct FieldMark {
 
 typedef struct FieldName {
   PixelBox box;
-  bool is_fixed; /* must not be covered; else it is a pity */
+  bool is_fixed;   /* must not be covered; else it is a pity */
+  bool is_centred; /* of no mark */
 } FieldName;
 
 /* What has been found near a box. */

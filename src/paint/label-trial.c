@@ -39,7 +39,20 @@ static const double gaps[N_GAPS] = { 1.5, 5, 8.5, 12, 18, 26, 36, 44 };
 /* Between two names side by side, parts of their height. */
 #define APART 0.6
 
+/* The same, parts of that, between names one above the other when one is a
+ * facet's: it would seem to be the site's second one. */
+#define ABOVE 0.5F
+
 #define SHORT_GAP 8.0
+
+/* A leader leaves lines with so much ink at an angle of which this is the sine,
+ * and is no nearer to them than so many px. */
+#define SEEN_INK 1.5
+#define ALONG 0.25
+#define ALONG_PX 2.5
+
+/* A name that a leader has to tell covers so much more with a line. */
+#define LED_INK 3.0
 
 /* Beyond this gap one looks for the mark of a name, px. */
 #define LEADER_GAP 13.0
@@ -163,19 +176,27 @@ fault_of_frame (const PixelBox *frame, const PixelBox *box)
 }
 
 static double
-fault_of_names (const LabelNear *near, const LabelTrial *trial)
+fault_of_names (const LabelNear *near,
+                const Label *label,
+                const LabelTrial *trial)
 {
   const PixelBox *box = &trial->box;
   const float part = (float)(trial->is_held ? HELD * APART : APART);
   const float apart = part * (box->bottom - box->top);
   const PixelBox wide
       = { box->left - apart, box->top, box->right + apart, box->bottom };
+  const PixelBox roomy = { wide.left, wide.top - ABOVE * apart, wide.right,
+                           wide.bottom + ABOVE * apart };
   double fault = 0;
 
   for (guint i = 0; i < near->names->len; i++) {
     const FieldName *name = &g_array_index (near->names, FieldName, i);
 
-    if (boxes_meet (&name->box, name->is_fixed ? &wide : box))
+    const bool is_other
+        = name->is_centred != label->is_centred && !label->is_number;
+    const PixelBox *room = is_other ? &roomy : &wide;
+
+    if (boxes_meet (&name->box, name->is_fixed ? room : box))
       fault += name->is_fixed ? COST_NAME : COST_PITY;
   }
   return fault;
@@ -261,7 +282,7 @@ find_lines (const LabelNear *near, const Label *label, LabelTrial *trial)
   const Pixel middle = { (trial->box.left + trial->box.right) / 2,
                          (trial->box.top + trial->box.bottom) / 2 };
 
-  if (label->is_number || label->is_centred)
+  if (label->is_number)
     return;
   for (guint i = 0; i < near->lines->len; i++) {
     const FieldLine *line = &g_array_index (near->lines, FieldLine, i);
@@ -326,11 +347,25 @@ label_leader (const Label *label, const PixelBox *box, Pixel ends[2])
 bool
 label_trial_is_led (const LabelTrial *trial, const Label *label)
 {
-  return !label->is_centred && !label->is_number
-         && (trial->doubt + trial->fault > 0 || trial->gap > LEADER_GAP);
+  if (label->is_number || label->is_centred)
+    return label->is_centred && trial->doubt > 0;
+  return trial->doubt + trial->fault > 0 || trial->gap > LEADER_GAP;
 }
 
-/* A leader runs over no other mark or name. */
+/* Whether a leader lies all along a line that is seen: it would be taken for a
+ * part of it. */
+static bool
+runs_along (const FieldLine *line, const Pixel leader[2])
+{
+  const double dx = leader[1].x - leader[0].x, dy = leader[1].y - leader[0].y;
+  const double off = MAX (ALONG * hypot (dx, dy), ALONG_PX);
+  const Pixel middle = { leader[0].x + dx / 2, leader[0].y + dy / 2 };
+
+  return line->ink >= SEEN_INK && distance_from (leader[1], line->ends) < off
+         && distance_from (middle, line->ends) < MAX (off / 2, ALONG_PX);
+}
+
+/* A leader runs over no other mark or name, and along no line. */
 static double
 fault_of_leader (const LabelNear *near, const Label *label, LabelTrial *trial)
 {
@@ -349,6 +384,9 @@ fault_of_leader (const LabelNear *near, const Label *label, LabelTrial *trial)
   for (guint i = 0; i < near->names->len; i++)
     if (segment_meets (ends, &g_array_index (near->names, FieldName, i).box))
       return COST_LEADER;
+  for (guint i = 0; i < near->lines->len; i++)
+    if (runs_along (&g_array_index (near->lines, FieldLine, i), ends))
+      return COST_LEADER;
   return 0;
 }
 
@@ -359,9 +397,11 @@ label_trial_judge (LabelTrial *trial,
                    const PixelBox *frame,
                    LabelPatience patience)
 {
+  double ink;
+
   trial->fault = fault_of_frame (frame, &trial->box);
   if (is_borne (trial, patience))
-    trial->fault += fault_of_names (near, trial);
+    trial->fault += fault_of_names (near, label, trial);
   if (is_borne (trial, patience))
     find_marks (near, label, patience, trial);
   if (is_borne (trial, patience))
@@ -373,5 +413,8 @@ label_trial_judge (LabelTrial *trial,
     return;
   }
   trial->cost += trial->fault + trial->doubt;
-  trial->cost += ink_under (near, &trial->box, trial->most - trial->cost);
+  ink = ink_under (near, &trial->box, trial->most - trial->cost);
+  trial->cost += label_trial_is_led (trial, label) && !label->is_centred
+                     ? LED_INK * ink
+                     : ink;
 }

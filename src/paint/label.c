@@ -27,11 +27,13 @@ typedef struct Manner {
 
 static const Manner manners[] = {
   [LABEL_SHY] = { 2, 34, BEARS_NOTHING },
-  [LABEL_PLAIN] = { 4, 130, BEARS_NOTHING },
+  [LABEL_PLAIN] = { 4, 130, BEARS_NOTHING },      /* or plain_manner */
   [LABEL_MAY_BE_LED] = { 4, 130, BEARS_NOTHING }, /* then led_manner */
   [LABEL_MUST] = { N_GAPS, DBL_MAX, BEARS_ALL },
   [LABEL_MUST_NEAR] = { 6, DBL_MAX, BEARS_ALL },
 };
+/* Further away one would not see in a crowd which of all marks is meant. */
+static const Manner plain_manner = { 2, 130, BEARS_NOTHING };
 static const Manner led_manner = { 6, 300, BEARS_DOUBT };
 
 struct LabelSheet {
@@ -87,14 +89,14 @@ label_sheet_mark (
 void
 label_sheet_name (LabelSheet *sheet, const PixelBox *box, bool is_fixed)
 {
-  label_field_add_name (sheet->field, &(FieldName){ *box, is_fixed });
+  label_field_add_name (sheet->field, &(FieldName){ *box, is_fixed, false });
 }
 
 /* How large the label's own mark is painted: behind the hull it is smaller. */
 static double
 own_radius (const LabelNear *near, const Label *label)
 {
-  double radius = label->radius;
+  double radius = label->is_centred ? 0 : label->radius;
 
   for (guint i = 0; i < near->marks->len; i++) {
     const FieldMark *mark = &g_array_index (near->marks, FieldMark, i);
@@ -123,7 +125,7 @@ lighten_own (LabelNear *near, const Label *label)
     if (line->is_heavy
         && hypot (line->ends[0].x + part * dx - label->at.x,
                   line->ends[0].y + part * dy - label->at.y)
-               <= radius)
+               <= radius + (label->is_centred ? line->reach : 0))
       line->is_heavy = false;
   }
 }
@@ -215,7 +217,8 @@ settle (LabelSheet *sheet, const Label *label)
   const FieldName name = { { (float)label->low.x, (float)label->low.y,
                              (float)(label->low.x + label->width),
                              (float)(label->low.y + label->height) },
-                           true };
+                           true,
+                           label->is_centred };
   FieldLine leader = { .ink = INK_CLEAR };
 
   label_field_add_name (sheet->field, &name);
@@ -236,7 +239,10 @@ try_to_place (LabelSheet *sheet, Label *label, Attempt attempt)
 {
   const bool may_be_led
       = label->need == LABEL_MAY_BE_LED && attempt != ATTEMPT_TO_FIND;
-  const Manner *manner = may_be_led ? &led_manner : &manners[label->need];
+  const bool is_near = label->need == LABEL_PLAIN && !label->is_centred;
+  const Manner *manner = may_be_led ? &led_manner
+                         : is_near  ? &plain_manner
+                                    : &manners[label->need];
 
   if (attempt == ATTEMPT_TO_STAY && label->place.slot == LABEL_NOWHERE)
     return;

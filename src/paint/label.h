@@ -5,7 +5,8 @@
  * other that has a name, and no heavy line lies between the two. Of several
  * such places a name takes the one that covers least of other lines. Where no
  * place near its mark is such, a name is left out, or a leader tells from a
- * little further away whose it is.
+ * little further away whose it is. A leader runs along no line. The name of a
+ * facet stands in it, or has a leader, and keeps away from the names of marks.
  *
  * A name that had a place in the picture before stays there while it stands
  * well and covers hardly more than when the place was chosen. */
