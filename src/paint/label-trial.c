@@ -29,6 +29,9 @@ static const double gaps[N_GAPS] = { 1.5, 5, 8.5, 12, 18, 26, 36, 44 };
 #define NEARER_PX 2.5
 #define NEARER_MOST_PX 30.0
 
+/* So many times further is a mark that a name is on a line with. */
+#define LEVEL 2.0
+
 /* Less than that, this part of it, will do for a name to stay where it is. */
 #define HELD 0.75
 
@@ -217,6 +220,17 @@ label_is_own (const Label *label, Pixel at)
   return fabs (at.x - label->at.x) + fabs (at.y - label->at.y) <= 1;
 }
 
+/* Whether a name is on a line with another mark, but not with its own: it is
+ * read after that one. */
+static bool
+is_level (const LabelTrial *trial, const Label *label, Pixel at)
+{
+  const PixelBox *box = &trial->box;
+
+  return !trial->is_held && at.y > box->top && at.y < box->bottom
+         && (label->at.y < box->top || label->at.y > box->bottom);
+}
+
 static void
 find_marks (const LabelNear *near,
             const Label *label,
@@ -231,7 +245,9 @@ find_marks (const LabelNear *near,
     const FieldMark *mark = &g_array_index (near->marks, FieldMark, i);
     const double square = square_to (&trial->box, mark->at);
     const double reach = trial->is_held ? mark->radius : mark->reach;
-    const double needed = mark->radius + nearest;
+    const double needed
+        = mark->radius
+          + nearest * (is_level (trial, label, mark->at) ? LEVEL : 1);
     const bool is_others = !label_is_own (label, mark->at);
 
     if (square < reach * reach && (is_others || !label->is_centred))
