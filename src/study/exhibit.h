@@ -55,6 +55,9 @@ ExhibitKind exhibit_kind (const Exhibit *exhibit);
 Run *exhibit_run (const Exhibit *exhibit);
 const Course *exhibit_course (const Exhibit *exhibit);
 
+/* NULL: another kind, or these sites have none. */
+const SignMap *exhibit_map (const Exhibit *exhibit);
+
 /* Makes another node of the sign map the current one. */
 void exhibit_set_node (Exhibit *exhibit, const guint node[2]);
 

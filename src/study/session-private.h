@@ -153,6 +153,9 @@ void session_tell_theme (Session *session, int theme);
  *          before the answer. */
 const StopState *session_state_of (Session *session, guint stop);
 
+/* Returns: whether time is that of the trace. */
+gboolean session_shows_lifts (Session *session);
+
 /* To be called when the run, the step or the stop has changed. */
 void session_question_refresh (Session *session);
 
