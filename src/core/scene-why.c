@@ -5,7 +5,6 @@
 #include "why.h"
 
 #include <math.h>
-#include <string.h>
 
 /* How far the patch of plane goes beyond the circle, times its radius, but no
  * more than so much; and round the end of the gap. */
@@ -145,7 +144,8 @@ cut_at (Point3 corners[PATCH_ROOM], uint32_t n, double height, int sign)
           = (Point3){ a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), height };
     }
   }
-  memcpy (corners, kept, n_kept * sizeof *kept);
+  for (i = 0; i < n_kept; i++)
+    corners[i] = kept[i];
   return n_kept;
 }
 
