@@ -113,9 +113,9 @@ judge_hop (const Shown *shown, uint32_t name, const Stand *stand, Pixel at)
       = { (float)(at.x + stand->off.x), (float)(at.y + stand->off.y),
           (float)(at.x + stand->off.x) + now.right - now.left,
           (float)(at.y + stand->off.y) + now.bottom - now.top };
-
-  const PixelBox wide = { then.left - APART, then.top - APART / 2,
-                          then.right + APART, then.bottom + APART / 2 };
+  const float aside = (float)APART, above = (float)(APART / 2);
+  const PixelBox wide = { then.left - aside, then.top - above,
+                          then.right + aside, then.bottom + above };
 
   if (names_fault_of (shown, name, &then, MUCH_NEARER) == NULL
       && names_is_apart (shown->drawing, name, &wide)
