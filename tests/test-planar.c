@@ -357,70 +357,77 @@ test_course_finds_places (void)
   site_set_free (set);
 }
 
-/* Every site has one mark, and every edge of the frame is drawn. */
+typedef void (*CheckScene) (const Scene *scene, const PlanarFrame *frame);
+
+/* The scenes of all steps. */
 static void
-check_scene (const Fixture *fixture)
+check_scenes (const Fixture *fixture, CheckScene check)
 {
   PlanarTrace *trace = planar_trace_record (fixture->set);
+  const SceneLook look = { .layers = LAYERS_DEFAULT,
+                           .extent = site_set_extent (fixture->set),
+                           .low = { -1, -1, 0 },
+                           .high = { 1, 1, 0 } };
   Scene scene = { 0 };
 
   for (uint32_t step = 0; step <= trace->n_events; step++) {
     PlanarFrame frame;
-    SceneLook look = { .layers = LAYERS_DEFAULT,
-                       .extent = site_set_extent (fixture->set),
-                       .low = { -1, -1, 0 },
-                       .high = { 1, 1, 0 } };
-    uint32_t n_marks = 0, n_edges = 0;
 
     planar_frame_init (&frame, trace, step);
     scene_planar (&scene, &frame, &look);
-    for (uint32_t i = 0; i < scene.n_items; i++) {
-      const Role role = scene.items[i].role;
-
-      n_marks += role >= ROLE_SITE && role <= ROLE_SITE_IGNORED;
-      n_edges += role == ROLE_HULL_EDGE || role == ROLE_VISIBLE_EDGE
-                 || role == ROLE_CONE_EDGE || role == ROLE_RETIRED;
-    }
-    g_assert_cmpuint (n_marks, ==, fixture->set->n_sites);
-    if (!trace->is_flat)
-      g_assert_cmpuint (n_edges, ==, frame.n_edges);
+    check (&scene, &frame);
     planar_frame_clear (&frame);
   }
   scene_clear (&scene);
   planar_trace_free (trace);
 }
 
+/* Every site has one mark, and every edge of the frame is drawn. */
+static void
+check_marks (const Scene *scene, const PlanarFrame *frame)
+{
+  uint32_t n_marks = 0, n_edges = 0;
+
+  for (uint32_t i = 0; i < scene->n_items; i++) {
+    const Role role = scene->items[i].role;
+
+    n_marks += role >= ROLE_SITE && role <= ROLE_SITE_IGNORED;
+    n_edges += role == ROLE_HULL_EDGE || role == ROLE_VISIBLE_EDGE
+               || role == ROLE_CONE_EDGE || role == ROLE_RETIRED;
+  }
+  g_assert_cmpuint (n_marks, ==, frame->trace->set->n_sites);
+  if (!frame->trace->is_flat)
+    g_assert_cmpuint (n_edges, ==, frame->n_edges);
+}
+
+static void
+check_scene (const Fixture *fixture)
+{
+  check_scenes (fixture, check_marks);
+}
+
 /* What is gained is one area, without seams: the hull lies over the part of it
  * that it has already. */
 static void
+check_one_gain (const Scene *scene, const PlanarFrame *frame)
+{
+  uint32_t n_gains = 0, n_hulls = 0;
+
+  for (uint32_t i = 0; i < scene->n_items; i++) {
+    n_hulls += scene->items[i].role == ROLE_HULL_AREA;
+    if (scene->items[i].role != ROLE_CONE)
+      continue;
+    g_assert_cmpuint (n_hulls, ==, 0);
+    n_gains++;
+  }
+  g_assert_cmpuint (n_gains, ==,
+                    frame->counts.cone >= 2 && frame->base != frame->step);
+}
+
+static void
 check_gain (const Fixture *fixture)
 {
-  PlanarTrace *trace = planar_trace_record (fixture->set);
-  Scene scene = { 0 };
-
-  for (uint32_t step = 0; step <= trace->n_events; step++) {
-    PlanarFrame frame;
-    SceneLook look = { .layers = LAYERS_DEFAULT,
-                       .extent = site_set_extent (fixture->set),
-                       .low = { -1, -1, 0 },
-                       .high = { 1, 1, 0 } };
-    uint32_t n_gains = 0, n_hulls = 0;
-
-    planar_frame_init (&frame, trace, step);
-    scene_planar (&scene, &frame, &look);
-    for (uint32_t i = 0; i < scene.n_items; i++) {
-      n_hulls += scene.items[i].role == ROLE_HULL_AREA;
-      if (scene.items[i].role != ROLE_CONE)
-        continue;
-      g_assert_cmpuint (n_hulls, ==, 0);
-      n_gains++;
-    }
-    g_assert_cmpuint (n_gains, ==,
-                      frame.counts.cone >= 2 && frame.base != frame.step);
-    planar_frame_clear (&frame);
-  }
-  scene_clear (&scene);
-  planar_trace_free (trace);
+  check_scenes (fixture, check_one_gain);
 }
 
 static void

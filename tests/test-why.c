@@ -236,7 +236,7 @@ check_foot (Stage *stage, uint32_t facet, uint32_t site)
 }
 
 static void
-test_foot (void)
+check_pairs (void (*check) (Stage *stage, uint32_t facet, uint32_t site))
 {
   static const char *const names[] = { "lecture8", "mixed8", "furthest8" };
   size_t i;
@@ -248,27 +248,21 @@ test_foot (void)
     stage_init (&stage, names[i]);
     for (k = 0; k < stage.frame.n_facets; k++)
       for (site = 0; site < stage.frame.n_sites; site++)
-        check_foot (&stage, stage.frame.facets[k].facet, site);
+        check (&stage, stage.frame.facets[k].facet, site);
     stage_clear (&stage);
   }
 }
 
 static void
+test_foot (void)
+{
+  check_pairs (check_foot);
+}
+
+static void
 test_pictures (void)
 {
-  static const char *const names[] = { "lecture8", "mixed8", "furthest8" };
-  size_t i;
-
-  for (i = 0; i < G_N_ELEMENTS (names); i++) {
-    uint32_t k, site;
-    Stage stage;
-
-    stage_init (&stage, names[i]);
-    for (k = 0; k < stage.frame.n_facets; k++)
-      for (site = 0; site < stage.frame.n_sites; site++)
-        check_facet (&stage, stage.frame.facets[k].facet, site);
-    stage_clear (&stage);
-  }
+  check_pairs (check_facet);
 }
 
 /* The sentence has the words of the law, and its sign. */
