@@ -29,14 +29,21 @@ class Failure(Exception):
 
 
 def wait(condition, what):
-    """Waits until condition() is true, and returns its value."""
+    """Waits until condition() is true, and returns its value. What it asks
+    of may not be there yet, or be gone since: it is None then, or has an
+    error of its own."""
     end = time.monotonic() + PATIENCE
+    missing = None
     while time.monotonic() < end:
-        value = condition()
-        if value:
-            return value
+        try:
+            value = condition()
+            if value:
+                return value
+            missing = None
+        except (AttributeError, GLib.Error) as error:
+            missing = error
         time.sleep(0.03)
-    raise Failure(f"waited in vain: {what}")
+    raise Failure(f"waited in vain: {what}") from missing
 
 
 def xdotool(*words):
@@ -193,6 +200,11 @@ class Program:
         root = self.root()
         return root and self.find_below(root, role, name, contains)
 
+    def the(self, role, name=None, contains=None):
+        """What find finds, once it is shown."""
+        return wait(lambda: self.find(role, name, contains),
+                    name or contains or role)
+
     def find_below(self, node, role, name=None, contains=None):
         for child in self.find_all(role, node):
             try:
@@ -224,7 +236,7 @@ class Program:
         return [child.get_name() for child in found][-1:]
 
     def canvas(self, name):
-        return self.find("canvas", name)
+        return self.the("canvas", name)
 
     def extents(self, accessible):
         accessible.clear_cache()
@@ -232,7 +244,8 @@ class Program:
 
     def site(self, number, canvas="Plane"):
         """A site as the canvas tells of it."""
-        return self.canvas(canvas).get_child_at_index(number)
+        return wait(lambda: self.canvas(canvas).get_child_at_index(number),
+                    f"s{number} in the {canvas} view")
 
     def site_at(self, number, canvas="Plane"):
         box = self.extents(self.site(number, canvas))
