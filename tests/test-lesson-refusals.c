@@ -22,6 +22,7 @@ assert_broken_bytes (const char *text, gsize length, const char *message)
     g_test_message ("expected %s…, found %s", message, error->message);
     g_test_fail ();
   }
+  g_assert_cmpuint (strlen (error->message), <=, 2000);
 }
 
 static void
@@ -250,6 +251,13 @@ static const Large large[] = {
   { STOP, "x", (64 << 10) + 1, "\n", "l.md:10:1: a line longer than 64 KB" },
   { "# ", "x", 201, "\n", "l.md:1:1: a heading longer than 200" },
   { STOP, "words ", 17 << 10, "\n", "l.md:10:1: a text longer than 16 KB" },
+  { STOP, "x", 1001, "\n", "l.md:10:1: a word longer than 1000 characters" },
+  { STOP, "x`y`", 2500, "\n", "l.md:10:1: a word longer than 1000 characters" },
+  { LECTURE "## S\n\n```ask\nprompt ", "words ", 1000, "\n```\n",
+    "l.md:11:1: a line longer than 1000 characters" },
+  { STOP "```steps\n", "x", 60000, "\n```\n", "l.md:11:1: “xxxxxxxxxxxxxx" },
+  { STOP "```steps\nselect ", "x", 60000, "\n```\n",
+    "l.md:11:1: cannot select “xxxx" },
   { STOP, "words words words words words\n\n", 290 << 10, "",
     "l.md:18088:1: the texts of this lesson are longer than 256 KB" },
   { HEAD "## S\n\n```steps\n", "show hull\n", 1000010, "```\n",
@@ -284,6 +292,21 @@ test_what_is_too_large_is_refused_at_once (void)
     assert_broken (text, row->message);
     /* One second is promised; sanitizers get a few, of the processor. */
     g_assert_cmpint (clock () - start, <, 4 * CLOCKS_PER_SEC);
+  }
+}
+
+/* Chinese and Thai have no blanks, and lines that end anywhere. */
+static void
+test_words_written_together_are_no_long_word (void)
+{
+  const char *const scripts[] = { "點", "จุด", "words " };
+
+  for (guint i = 0; i < G_N_ELEMENTS (scripts); i++) {
+    g_autofree char *text = fill (STOP, scripts[i], 9000, "\n");
+    g_autoptr (Lesson) lesson
+        = lesson_parse (text, strlen (text), "l.md", NULL);
+
+    g_assert_nonnull (lesson);
   }
 }
 
@@ -348,6 +371,8 @@ static const struct {
     test_bytes_that_are_no_text_are_refused },
   { "/refusals/what-is-too-large-is-refused-at-once",
     test_what_is_too_large_is_refused_at_once },
+  { "/refusals/words-written-together-are-no-long-word",
+    test_words_written_together_are_no_long_word },
   { "/refusals/a-lesson-of-almost-4-mb-is-read-at-once",
     test_a_lesson_of_almost_4_mb_is_read_at_once },
   { "/refusals/no-prefix-crashes", test_no_prefix_crashes },

@@ -79,6 +79,7 @@ add_button (AnswerList *list, Object item)
   GtkWidget *label = gtk_bin_get_child (GTK_BIN (button));
 
   gtk_label_set_line_wrap (GTK_LABEL (label), TRUE);
+  gtk_label_set_line_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
   gtk_label_set_xalign (GTK_LABEL (label), 0);
   g_signal_connect (button, "toggled", G_CALLBACK (on_toggled), list);
   gtk_container_add (GTK_CONTAINER (list), button);

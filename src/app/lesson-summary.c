@@ -65,6 +65,7 @@ make_label (const char *text, gboolean is_title)
 
   gtk_label_set_xalign (GTK_LABEL (label), 0);
   gtk_label_set_line_wrap (GTK_LABEL (label), TRUE);
+  gtk_label_set_line_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
   if (!is_title)
     gtk_style_context_add_class (gtk_widget_get_style_context (label),
                                  "outcome");

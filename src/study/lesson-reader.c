@@ -14,6 +14,7 @@
 #define MAX_BLOCK_BYTES (16 << 10)
 #define MAX_PROSE_BYTES (256 << 10)
 #define MAX_TITLE 200 /* characters */
+#define MAX_WORD 1000
 
 guint
 lesson_node_line (cmark_node *node)
@@ -53,6 +54,47 @@ append_block (GString *text, cmark_node *node)
   free (block);
 }
 
+/* Where a line can end without a blank: scripts that write words together. */
+static gboolean
+ends_word (gunichar c)
+{
+  return g_unichar_isspace (c) || g_unichar_iswide (c)
+         || g_unichar_break_type (c) == G_UNICODE_BREAK_COMPLEX_CONTEXT;
+}
+
+/* Counts on from *@n letters of a word that begins before @literal. */
+static gboolean
+is_long_word (const char *literal, guint *n)
+{
+  for (const char *p = literal; *p != '\0' && *n <= MAX_WORD;
+       p = g_utf8_next_char (p))
+    *n = ends_word (g_utf8_get_char (p)) ? 0 : *n + 1;
+  return *n > MAX_WORD;
+}
+
+/* Emphasis may begin and end within a word. */
+static gboolean
+has_long_word (cmark_node *block)
+{
+  cmark_iter *iter = cmark_iter_new (block);
+  gboolean is_long = FALSE;
+  guint n = 0;
+
+  while (!is_long && cmark_iter_next (iter) != CMARK_EVENT_DONE) {
+    cmark_node *node = cmark_iter_get_node (iter);
+    const cmark_node_type type = cmark_node_get_type (node);
+
+    if (type == CMARK_NODE_TEXT || type == CMARK_NODE_CODE
+        || type == CMARK_NODE_CODE_BLOCK)
+      is_long = is_long_word (cmark_node_get_literal (node), &n);
+    else if (type <= CMARK_NODE_LAST_BLOCK || type == CMARK_NODE_SOFTBREAK
+             || type == CMARK_NODE_LINEBREAK)
+      n = 0;
+  }
+  cmark_iter_free (iter);
+  return is_long;
+}
+
 gboolean
 lesson_read_prose (LessonReader *reader,
                    cmark_node *node,
@@ -65,6 +107,9 @@ lesson_read_prose (LessonReader *reader,
   if (n > MAX_BLOCK_BYTES)
     return blame (reader, lesson_node_line (node), error,
                   _ ("a text longer than 16 KB"));
+  if (has_long_word (node))
+    return blame (reader, lesson_node_line (node), error,
+                  _ ("a word longer than 1000 characters"));
   reader->n_prose += n;
   if (reader->n_prose > MAX_PROSE_BYTES)
     return blame (reader, lesson_node_line (node), error,

@@ -1,6 +1,7 @@
 #include "lesson-source.h"
 
 #include "lesson.h"
+#include "words.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
@@ -34,14 +35,15 @@ lesson_source_blame (const LessonSource *source,
                      const char *format,
                      ...)
 {
-  g_autofree char *reason = NULL;
+  g_autofree char *reason = NULL, *short_reason = NULL;
   va_list arguments;
 
   va_start (arguments, format);
   reason = g_strdup_vprintf (format, arguments);
   va_end (arguments);
+  short_reason = words_shorten (reason);
   g_set_error (error, LESSON_ERROR, LESSON_ERROR_BROKEN, "%s:%u:%u: %s",
-               source->name, line, column, reason);
+               source->name, line, column, short_reason);
   return FALSE;
 }
 

@@ -9,6 +9,8 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+#define MAX_LINE 1000 /* characters */
+
 /* What has been read so far. */
 typedef struct Reader {
   const LessonSource *source;
@@ -424,6 +426,9 @@ read_line (Reader *reader)
   const char *text = reader->line->text;
   g_autofree char *word = g_strndup (text, strcspn (text, " \t"));
 
+  if (g_utf8_strlen (text, -1) > MAX_LINE)
+    return blame (reader, text, _ ("a line longer than %d characters"),
+                  MAX_LINE);
   for (guint i = 0; i < G_N_ELEMENTS (keys); i++)
     if (g_str_equal (word, keys[i].name))
       return keys[i].read (reader, after_word (text));

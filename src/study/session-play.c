@@ -3,6 +3,7 @@
 #include "attempt.h"
 #include "expect.h"
 #include "session-private.h"
+#include "words.h"
 
 #include <glib/gi18n.h>
 
@@ -35,11 +36,12 @@ typedef struct Player {
 static void
 blame (Player *player, guint line, guint column, GError *reason)
 {
-  lesson_faults_take (player->faults,
-                      g_error_new (LESSON_ERROR, LESSON_ERROR_BROKEN,
-                                   "%s:%u:%u: %s",
-                                   player->session->lesson->path, line, column,
-                                   reason->message));
+  g_autofree char *words = words_shorten (reason->message);
+
+  lesson_faults_take (
+      player->faults,
+      g_error_new (LESSON_ERROR, LESSON_ERROR_BROKEN, "%s:%u:%u: %s",
+                   player->session->lesson->path, line, column, words));
   g_error_free (reason);
 }
 

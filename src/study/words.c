@@ -8,6 +8,9 @@
 /* Longer words have no near name. */
 #define HINT_MAX 24
 
+/* Longer messages are longer by what they quote: letters of both ends. */
+#define MESSAGE_END 300
+
 /* As many letters of a name tell which one is meant. */
 #define HINT_BEGINNING 5
 
@@ -122,4 +125,17 @@ words_hint (const char *word, const char *const *names)
   return nearest == NULL
              ? g_strdup ("")
              : g_strdup_printf (_ (" (did you mean “%s”?)"), nearest);
+}
+
+char *
+words_shorten (const char *message)
+{
+  const glong n = g_utf8_strlen (message, -1);
+  g_autofree char *begin = NULL;
+
+  if (n <= 2 * MESSAGE_END)
+    return g_strdup (message);
+  begin = g_utf8_substring (message, 0, MESSAGE_END);
+  return g_strconcat (
+      begin, " … ", g_utf8_offset_to_pointer (message, n - MESSAGE_END), NULL);
 }

@@ -20,6 +20,10 @@ gboolean words_parse_double (const char *word, double *number);
  * has a comma instead, or "". */
 const char *words_comma_hint (const char *text);
 
+/* Returns: (transfer full): @message, of which the middle is left out where it
+ *          quotes more than a person can read. */
+char *words_shorten (const char *message);
+
 /* Returns: (transfer full): " (did you mean “NAME”?)" for the name nearest to
  *          @word by few typing errors, or "". @names ends with NULL. */
 char *words_hint (const char *word, const char *const *names);
