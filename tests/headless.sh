@@ -36,8 +36,9 @@ Xvfb -displayfd 6 -screen 0 "${HULL2VD_SCREEN:-1440x900}x24" -dpi 96 \
   +extension GLX -noreset -nolisten tcp \
   6>"$folder/display" >"$folder/server.log" 2>&1 &
 server=$!
-for _ in $(seq 200); do
+for _ in $(seq 1200); do
   [ -s "$folder/display" ] && break
+  kill -0 "$server" 2>/dev/null || break
   sleep 0.05
 done
 [ -s "$folder/display" ] || {
@@ -45,7 +46,7 @@ done
   exit 1
 }
 DISPLAY=:$(cat "$folder/display")
-export DISPLAY
+export DISPLAY HULL2VD_SERVER=$server
 
 timeout "${HULL2VD_TIMEOUT:-240}" \
   dbus-run-session --config-file="$folder/session.conf" -- "$@"

@@ -1,6 +1,7 @@
 """Drives the real program: its actions over D-Bus, what it shows over AT-SPI,
 pointer and keys through the X server."""
 import contextlib
+import glob
 import os
 import shutil
 import subprocess
@@ -13,15 +14,17 @@ from gi.repository import Atspi, Gio, GLib  # noqa: E402
 
 NAME = "io.github.hull2vd.Hull2VD"
 PATH = "/io/github/hull2vd/Hull2VD/window/1"
-PATIENCE = float(os.environ.get("HULL2VD_PATIENCE", "20"))
+# A busy machine takes its time to answer. Who waits in vain has failed anyway.
+PATIENCE = float(os.environ.get("HULL2VD_PATIENCE", "90"))
+PATIENCE_MS = round(1000 * PATIENCE)
+SERVER = int(os.environ["HULL2VD_SERVER"])  # the process that is the screen
 
 ALL = Atspi.CollectionMatchType.ALL
 ANY = Atspi.CollectionMatchType.ANY
 ROLES = {Atspi.role_get_name(Atspi.Role(i)): Atspi.Role(i)
          for i in range(Atspi.Role.PUSH_BUTTON_MENU)}
 
-# A busy machine takes its time to answer.
-Atspi.set_timeout(10000, 20000)
+Atspi.set_timeout(PATIENCE_MS, PATIENCE_MS)
 
 
 class Failure(Exception):
@@ -44,6 +47,33 @@ def wait(condition, what):
             missing = error
         time.sleep(0.03)
     raise Failure(f"waited in vain: {what}") from missing
+
+
+def work_of(pid):
+    """The nanoseconds that the threads of a process have run; None: one of
+    them runs, or would if there were a processor for it."""
+    work = 0
+    for thread in glob.glob(f"/proc/{pid}/task/*"):
+        with contextlib.suppress(OSError):  # it has ended
+            with open(f"{thread}/stat", encoding="utf-8") as file:
+                if file.read().rpartition(")")[2].split()[0] in ("R", "D"):
+                    return None
+            with open(f"{thread}/schedstat", encoding="utf-8") as file:
+                work += int(file.read().split()[0])
+    return work
+
+
+def sleep_sound(pids, seconds):
+    """Waits until the processes have had next to nothing to do for so long:
+    what was asked for is shown, also where the machine is busy with something
+    else. A look at the clock, frame by frame, is next to nothing."""
+    def slept():
+        before = [work_of(pid) for pid in pids]
+        time.sleep(seconds)
+        after = [work_of(pid) for pid in pids]
+        return None not in before + after and \
+            sum(after) - sum(before) < 0.02e9 * seconds
+    wait(slept, "nothing moves any more")
 
 
 def xdotool(*words):
@@ -105,6 +135,8 @@ class Program:
             text=True)
         wait(self.has_actions, "the window's actions")
         wait(lambda: self.find("canvas"), "the pictures")
+        wait(windows, "its window on the screen")
+        self.rest()
 
     def __enter__(self):
         return self
@@ -124,24 +156,27 @@ class Program:
     def quit(self):
         """Quits, gives up what is not saved, returns what was printed."""
         self.activate("quit")
-        wait(lambda: self.process.poll() is not None or self.close_button(),
+        wait(lambda: self.process.poll() is not None
+             or self.press("Close without Saving"),
              "the program to end, or to ask")
-        if self.process.poll() is None:
-            self.close_button().do_action(0)
         return self.process.communicate(timeout=2 * PATIENCE)[1]
 
-    def close_button(self):
-        try:
-            return self.find("push button", "Close without Saving")
-        except GLib.Error:
-            return None
+    def press(self, name):
+        """Presses a button, if there is one, as a screen reader would."""
+        button = self.find("push button", name)
+        return button is not None and button.do_action(0)
+
+    def rest(self, seconds=0.1, *others):
+        """Waits until there is nothing to do for the program, for the screen
+        and for other processes."""
+        sleep_sound([self.process.pid, SERVER, *others], seconds)
 
     # Actions
 
     def call(self, method, parameters, path=PATH, name="org.gtk.Actions"):
         return self.bus.call_sync(NAME, path, name, method, parameters, None,
-                                  Gio.DBusCallFlags.NO_AUTO_START, 20000,
-                                  None)
+                                  Gio.DBusCallFlags.NO_AUTO_START,
+                                  PATIENCE_MS, None)
 
     def is_on_bus(self):
         return self.bus.call_sync(
@@ -196,14 +231,27 @@ class Program:
         return None
 
     def find(self, role, name=None, contains=None):
-        """The first thing shown of this role, by its name."""
-        root = self.root()
-        return root and self.find_below(root, role, name, contains)
+        """The first thing shown of this role, by its name. What is asked may
+        be gone before it answers; then all are asked again."""
+        found = []
+
+        def look():
+            root = self.root()
+            found.append(
+                root and self.find_below(root, role, name, contains))
+            return True
+        wait(look, f"an answer: {name or contains or role}")
+        return found[-1]
 
     def the(self, role, name=None, contains=None):
         """What find finds, once it is shown."""
         return wait(lambda: self.find(role, name, contains),
                     name or contains or role)
+
+    def no(self, role, name=None, contains=None):
+        """Waits until nothing such is shown."""
+        wait(lambda: not self.find(role, name, contains),
+             f"{name or contains or role} to go")
 
     def find_below(self, node, role, name=None, contains=None):
         for child in self.find_all(role, node):
@@ -248,6 +296,8 @@ class Program:
                     f"s{number} in the {canvas} view")
 
     def site_at(self, number, canvas="Plane"):
+        """Where it is, when nothing moves."""
+        self.rest(0.05)
         box = self.extents(self.site(number, canvas))
         return box.x + box.width // 2, box.y + box.height // 2
 
@@ -287,8 +337,24 @@ class Program:
                     round(start[1] + part * (end[1] - start[1])))
             time.sleep(0.02)
         xdotool("mouseup", button)
+        self.rest()
+
+    def focus_on(self, *names):
+        """Waits until one of them has the keyboard."""
+        wait(lambda: set(self.focus()) & set(names), f"the focus on {names}")
+
+    def choose_file(self, path):
+        """Names a file in the dialog of files, to be written anew."""
+        dialog = self.the("file chooser")
+        name = wait(lambda: self.find_below(dialog, "text"), "its entry")
+        self.rest()  # it proposes a name
+        wait(lambda: Atspi.EditableText.set_text_contents(name, path)
+             and Atspi.Text.get_text(name, 0, -1) == path, path)
+        self.rest()
+        wait(lambda: self.find_below(dialog, "push button", "Save"),
+             "its button").do_action(0)
 
     def keys(self, *names):
-        box = self.extents(self.find("frame"))
+        box = self.extents(self.the("frame"))
         xdotool("mousemove", box.x + box.width // 2, box.y + 20,
                 "key", "--delay", 30, *names)

@@ -1,5 +1,7 @@
 """Runs the tests of a file: its functions, their names sentences. TAP."""
+import atexit
 import os
+import shutil
 import sys
 import tempfile
 import traceback
@@ -7,6 +9,7 @@ import traceback
 from program import Atspi, Failure
 
 FOLDER = tempfile.mkdtemp(prefix="hull2vd-")
+atexit.register(shutil.rmtree, FOLDER, ignore_errors=True)
 HELPERS = set()
 
 
