@@ -47,6 +47,24 @@ means_something_else (Canvas *canvas)
                 != 0;
 }
 
+/* A busy machine tells late what has happened in the meantime: what is a click
+ * by now, or a drag, is none of this. */
+static gboolean
+is_still_held (GtkGesture *gesture, const double at_px[2])
+{
+  GtkWidget *widget
+      = gtk_event_controller_get_widget (GTK_EVENT_CONTROLLER (gesture));
+  GdkModifierType buttons = 0;
+  double x = 0, y = 0;
+
+  gdk_window_get_device_position_double (gtk_widget_get_window (widget),
+                                         gtk_gesture_get_device (gesture), &x,
+                                         &y, &buttons);
+  return (buttons & GDK_BUTTON1_MASK) != 0
+         && !gtk_drag_check_threshold (widget, (int)at_px[0], (int)at_px[1],
+                                       (int)x, (int)y);
+}
+
 static Point3
 point_at (Canvas *canvas, const double at_px[2])
 {
@@ -62,8 +80,8 @@ on_pressed (GtkGesture *gesture, double x, double y, HoldInsert *hold)
   const guint n_sites = session_get_set (session)->n_sites;
   const double at_px[2] = { x, y };
 
-  if (is_by_touch (gesture) || means_something_else (hold->canvas)
-      || session_is_asking (session)
+  if (is_by_touch (gesture) || !is_still_held (gesture, at_px)
+      || means_something_else (hold->canvas) || session_is_asking (session)
       || site_preview_is_on_site (hold->canvas, at_px))
     return;
   session_begin_edit (session);

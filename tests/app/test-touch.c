@@ -220,6 +220,44 @@ test_a_long_press_opens_the_menu_and_adds_nothing (void)
   stage_clear (&stage);
 }
 
+static void
+press (Stage *stage, GdkEventType type, double x, double y)
+{
+  GdkSeat *seat
+      = gdk_display_get_default_seat (gtk_widget_get_display (stage->view));
+  GdkDevice *device = gdk_seat_get_pointer (seat);
+  GdkEvent *event = gdk_event_new (type);
+
+  event->button.window = g_object_ref (gtk_widget_get_window (stage->view));
+  event->button.time = (guint32)(g_get_monotonic_time () / 1000);
+  event->button.x = event->button.x_root = x;
+  event->button.y = event->button.y_root = y;
+  event->button.button = GDK_BUTTON_PRIMARY;
+  gdk_event_set_device (event, device);
+  gdk_event_set_source_device (event, device);
+  gtk_main_do_event (event);
+  gdk_event_free (event);
+}
+
+/* The screen knows of no button that is down: it is up again, though nobody has
+ * told so yet. */
+static void
+test_a_click_that_ends_unheard_is_no_hold (void)
+{
+  Stage stage;
+
+  gtk_set_debug_flags (0); /* the pointer is a pointer again */
+  stage_init (&stage);
+  press (&stage, GDK_BUTTON_PRESS, 20, 300);
+  for (int i = 0; i < 8; i++)
+    settle ();
+  g_assert_cmpuint (session_get_set (stage.session)->n_sites, ==, 4);
+  press (&stage, GDK_BUTTON_RELEASE, 20, 300);
+  settle ();
+  g_assert_cmpuint (session_get_set (stage.session)->n_sites, ==, 5);
+  stage_clear (&stage);
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -233,6 +271,8 @@ static const struct {
     test_fingers_that_pan_leave_sites_alone },
   { "/touch/a-long-press-opens-the-menu-and-adds-nothing",
     test_a_long_press_opens_the_menu_and_adds_nothing },
+  { "/touch/a-click-that-ends-unheard-is-no-hold",
+    test_a_click_that_ends_unheard_is_no_hold },
 };
 
 int
