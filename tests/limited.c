@@ -22,7 +22,7 @@ static void
 limit (gpointer user)
 {
   const struct rlimit memory = { 200 << 20, 200 << 20 };
-  const struct rlimit seconds = { 20, 20 };
+  const struct rlimit seconds = { 100, 100 };
 
   (void)user;
   if (!IS_SANITIZED)

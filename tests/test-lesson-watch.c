@@ -101,7 +101,7 @@ static void
 await_state (Reader *reader, gboolean (*holds) (Reader *reader))
 {
   gboolean is_over = FALSE;
-  const guint source = g_timeout_add_seconds (20, on_time, &is_over);
+  const guint source = g_timeout_add_seconds (120, on_time, &is_over);
 
   while (!holds (reader) && !is_over)
     g_main_context_iteration (NULL, TRUE);
@@ -165,10 +165,7 @@ check_fault (void (*do_it) (Reader *reader), const char *reason)
   begin (&reader);
   do_it (&reader);
   await_state (&reader, is_told);
-  if (strstr (reader.told, reason) == NULL) {
-    g_test_message ("“%s” is not “%s”", reader.told, reason);
-    g_test_fail ();
-  }
+  g_assert_nonnull (strstr (reader.told, reason));
   assert_runs_on (&reader);
   g_rmdir (reader.path);
   g_remove (reader.path);
@@ -325,25 +322,35 @@ test_sites_that_are_missing_are_waited_for (void)
 
 /* Saving */
 
-/* As an editor does that writes in two pieces, and as one that puts another
- * file in place. */
+/* As an editor does that writes in two pieces. Returns: FALSE: the machine has
+ * slept so long in between that the first could have been all. */
+static gboolean
+write_in_two_pieces (Reader *reader, const char *content)
+{
+  const gint64 begin_us = g_get_monotonic_time ();
+  FILE *file = g_fopen (reader->path, "we");
+
+  fwrite (content, 1, middle (), file);
+  fflush (file);
+  pass (250);
+  assert_runs_on (reader);
+  fputs (content + middle (), file);
+  fclose (file);
+  return g_get_monotonic_time () - begin_us < 500 * G_TIME_SPAN_MILLISECOND;
+}
+
 static void
 test_what_is_half_written_is_not_told (void)
 {
-  const gsize half = middle ();
   g_autofree char *longer = g_strconcat (text, "\n## More\n", NULL);
   g_autofree char *other = NULL;
   Reader reader;
-  FILE *file;
 
   begin (&reader);
-  file = g_fopen (reader.path, "we");
-  fwrite (longer, 1, half, file);
-  fflush (file);
-  pass (250);
-  assert_runs_on (&reader);
-  fwrite (longer + half, 1, strlen (longer) - half, file);
-  fclose (file);
+  while (!write_in_two_pieces (&reader, longer)) {
+    end (&reader);
+    begin (&reader);
+  }
   await_state (&reader, is_renewed);
   g_assert_cmpuint (reader.n_told, ==, 0);
   g_assert_cmpuint (session_get_n_stops (reader.session), ==, 4);
@@ -363,11 +370,10 @@ test_what_is_half_written_is_not_told (void)
 static void
 test_a_file_cut_between_stops_costs_no_place (void)
 {
-  const char *cut = strstr (text, "## Which?");
   Reader reader;
 
   begin (&reader);
-  save (reader.path, text, (gsize)(cut - text));
+  save (reader.path, text, (gsize)(strstr (text, "## Which?") - text));
   await_state (&reader, is_renewed);
   g_assert_cmpstr (stop_title (&reader), ==, "Start");
   reader.first = session_get_lesson (reader.session);
