@@ -17,6 +17,7 @@ struct _LessonPanel {
   GtkLabel *resume_title;
   QuestionCard *card;
   LessonSummary *summary;
+  GtkWidget *faults_scroll;
   GtkLabel *faults;
   GtkLabel *intro, *title, *text;
   gboolean right_button_adds;
@@ -115,7 +116,7 @@ lesson_panel_set_faults (LessonPanel *panel, const LessonFaults *faults)
   if (n > 0)
     g_string_append (text, _ ("The lesson continues as it was before."));
   gtk_label_set_text (panel->faults, text->str);
-  gtk_widget_set_visible (GTK_WIDGET (panel->faults), n > 0);
+  gtk_widget_set_visible (panel->faults_scroll, n > 0);
 }
 
 static void
@@ -156,9 +157,8 @@ lesson_panel_get_preferred_height_for_width (GtkWidget *widget,
   gtk_widget_get_preferred_width (bar, &bar_width, NULL);
   gtk_widget_get_preferred_height_for_width (
       panel->content, MAX (1, width - bar_width), NULL, &content);
-  if (gtk_widget_get_visible (GTK_WIDGET (panel->faults)))
-    gtk_widget_get_preferred_height_for_width (GTK_WIDGET (panel->faults),
-                                               width, NULL, &faults);
+  if (gtk_widget_get_visible (panel->faults_scroll))
+    gtk_widget_get_preferred_height (panel->faults_scroll, NULL, &faults);
   *natural = MAX (*minimum, content + faults);
 }
 
@@ -188,6 +188,8 @@ lesson_panel_class_init (LessonPanelClass *class)
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, content);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, card);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, faults);
+  gtk_widget_class_bind_template_child (widget_class, LessonPanel,
+                                        faults_scroll);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel, resume);
   gtk_widget_class_bind_template_child (widget_class, LessonPanel,
                                         resume_title);
