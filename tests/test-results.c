@@ -37,6 +37,42 @@ test_csv_has_a_row_for_each_question (void)
 }
 
 static void
+keep (Session *session)
+{
+  g_autoptr (GError) error = NULL;
+
+  progress_write (session_get_progress (session), &error);
+  g_assert_no_error (error);
+}
+
+/* The file is written after each answer, and joined with what came since; the
+ * last question is answered first. */
+static void
+test_rows_follow_the_stops (void)
+{
+  static const guint stops[] = { 3, 1, 2 };
+  static const char *const titles[] = { "Which?", "Numbers, ", "Drag" };
+  Session *session = learner_start (LEARNER_LESSON);
+  g_autofree char *csv = NULL, *statements = NULL;
+  g_autoptr (GPtrArray) rows = NULL, lines = NULL;
+
+  for (guint i = 0; i < G_N_ELEMENTS (stops); i++) {
+    session_set_stop (session, stops[i]);
+    learner_act (session, "show-answer", NULL);
+    keep (session);
+  }
+  csv = results_csv (session_get_progress (session), "Ann");
+  statements = results_xapi (session_get_progress (session), "Ann");
+  rows = lines_of (csv, "\r\n");
+  lines = lines_of (statements, "\n");
+  for (guint i = 0; i < G_N_ELEMENTS (titles); i++) {
+    g_assert_nonnull (strstr (rows->pdata[1 + i], titles[i]));
+    g_assert_nonnull (strstr (lines->pdata[i], titles[i]));
+  }
+  learner_end (session);
+}
+
+static void
 test_statements_are_lines_of_json (void)
 {
   Session *session = learner_start (LEARNER_LESSON);
@@ -74,6 +110,7 @@ test_statements_are_lines_of_json (void)
 static const LearnerTest tests[] = {
   { "/results/csv-has-a-row-for-each-question",
     test_csv_has_a_row_for_each_question },
+  { "/results/rows-follow-the-stops", test_rows_follow_the_stops },
   { "/results/statements-are-lines-of-json",
     test_statements_are_lines_of_json },
 };

@@ -20,22 +20,33 @@ is_better (const QuestionRecord *ours, const QuestionRecord *theirs)
   return theirs->outcome == OUTCOME_SHOWN && ours->outcome != OUTCOME_SHOWN;
 }
 
+/* Puts theirs in the place of ours, or behind all: what order things are kept
+ * in must not tell when the file was written. */
+static void
+replace (GPtrArray *all, gconstpointer ours, gpointer theirs)
+{
+  guint at;
+
+  if (ours == NULL || !g_ptr_array_find (all, ours, &at)) {
+    g_ptr_array_add (all, theirs);
+    return;
+  }
+  g_ptr_array_remove_index (all, at);
+  g_ptr_array_insert (all, (gint)at, theirs);
+}
+
 /* Of a lesson in which both have gone on nothing is lost. */
 static void
 join_questions (LessonRecord *ours, GPtrArray *theirs)
 {
   for (guint i = 0; i < theirs->len;) {
     const QuestionRecord *other = g_ptr_array_index (theirs, i);
-    QuestionRecord *old = lesson_record_find (ours, other->key);
-    guint at;
+    const QuestionRecord *old = lesson_record_find (ours, other->key);
 
-    if (old != NULL && is_better (old, other)) {
+    if (old != NULL && is_better (old, other))
       i += 1;
-      continue;
-    }
-    if (old != NULL && g_ptr_array_find (ours->questions, old, &at))
-      g_ptr_array_remove_index (ours->questions, at);
-    g_ptr_array_add (ours->questions, g_ptr_array_steal_index (theirs, i));
+    else
+      replace (ours->questions, old, g_ptr_array_steal_index (theirs, i));
   }
 }
 
@@ -70,17 +81,14 @@ progress_merge (Progress *progress, Progress *theirs)
   for (guint i = 0; i < theirs->lessons->len;) {
     LessonRecord *other = g_ptr_array_index (theirs->lessons, i);
     LessonRecord *ours = progress_find (progress, other->key);
-    guint index;
 
     if (ours != NULL && ours->is_changed) {
       join_lesson (ours, other);
       i += 1;
-      continue;
+    } else {
+      replace (progress->lessons, ours,
+               g_ptr_array_steal_index (theirs->lessons, i));
     }
-    if (ours != NULL && g_ptr_array_find (progress->lessons, ours, &index))
-      g_ptr_array_remove_index (progress->lessons, index);
-    g_ptr_array_add (progress->lessons,
-                     g_ptr_array_steal_index (theirs->lessons, i));
   }
 }
 

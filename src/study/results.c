@@ -32,6 +32,27 @@ seconds_text (double seconds)
   return g_strdup (g_ascii_formatd (text, sizeof text, "%.1f", seconds));
 }
 
+static gint
+compare_stops (gconstpointer left, gconstpointer right)
+{
+  const QuestionRecord *a = *(QuestionRecord *const *)left;
+  const QuestionRecord *b = *(QuestionRecord *const *)right;
+
+  return (a->stop > b->stop) - (a->stop < b->stop);
+}
+
+/* Returns: (transfer container): its questions in the order of its stops,
+ *          whichever was met first, or kept first. */
+static GPtrArray *
+questions_of (const LessonRecord *lesson)
+{
+  GPtrArray *records = g_ptr_array_new ();
+
+  g_ptr_array_extend (records, lesson->questions, NULL, NULL);
+  g_ptr_array_sort (records, compare_stops);
+  return records;
+}
+
 /* CSV */
 
 static void
@@ -90,10 +111,11 @@ results_csv (const Progress *progress, const char *name)
 
   for (guint i = 0; i < progress->lessons->len; i++) {
     const LessonRecord *lesson = g_ptr_array_index (progress->lessons, i);
+    g_autoptr (GPtrArray) questions = questions_of (lesson);
 
-    for (guint k = 0; k < lesson->questions->len; k++)
+    for (guint k = 0; k < questions->len; k++)
       add_row (csv, who (progress, name), lesson,
-               g_ptr_array_index (lesson->questions, k));
+               g_ptr_array_index (questions, k));
   }
   return g_string_free (csv, FALSE);
 }
@@ -331,9 +353,10 @@ results_xapi (const Progress *progress, const char *name)
 
   for (guint i = 0; i < progress->lessons->len; i++) {
     const LessonRecord *lesson = g_ptr_array_index (progress->lessons, i);
+    g_autoptr (GPtrArray) questions = questions_of (lesson);
 
-    for (guint k = 0; k < lesson->questions->len; k++) {
-      const QuestionRecord *record = g_ptr_array_index (lesson->questions, k);
+    for (guint k = 0; k < questions->len; k++) {
+      const QuestionRecord *record = g_ptr_array_index (questions, k);
 
       if (record->outcome != OUTCOME_OPEN)
         add_statement (lines, progress, name, lesson, record);

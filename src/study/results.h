@@ -1,4 +1,5 @@
-/* Results: what a person's progress says, in forms that others read. */
+/* Results: what a person's progress says, in forms that others read: lesson by
+ * lesson, in the order of its stops. */
 #ifndef RESULTS_H
 #define RESULTS_H
 
