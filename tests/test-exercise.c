@@ -218,7 +218,8 @@ test_one_number_is_asked_for_as_one (void)
   g_assert_cmpstr (two, ==, "Type a whole number for each.");
 }
 
-/* s7 of the lecture lies inside; there are 12 facets. */
+/* s7 of the lecture lies inside; there are 12 facets, and f2 is an upper one.
+ */
 static void
 test_an_option_is_right_for_a_reason_in_words (void)
 {
@@ -227,12 +228,18 @@ test_an_option_is_right_for_a_reason_in_words (void)
     ("“out” is wrong: it is not the case that s7 lies outside the hull in the "
      "plane."),
     "“not in” is wrong: s7 lies inside the hull in the plane.",
-    "“many” is right (facets of the hull: 12, sites: 8)."
+    "“many” is right (facets of the hull: 12, sites: 8).",
+    ("“sees” is wrong. s7 does not see f2, an upper facet: it lies inside f2’s "
+     "circle, by a power of −1.3."),
+    "“down” is wrong. f2 is an upper facet: it faces away from the plane.",
+    ("“open” is wrong. The cell of s7 is bounded: s7 lies inside the hull in "
+     "the plane."),
   };
   static const char asked[]
       = ASK ("complete\nchoose several\noption in if inside s7\n"
              "option out if outside s7\noption not in if not inside s7\n"
-             "option many if facets > sites");
+             "option many if facets > sites\noption sees if sees s7 f2\n"
+             "option down if is-lower f2\noption open if unbounded s7");
   g_autoptr (Lesson) lesson
       = lesson_parse (asked, sizeof asked - 1, "l.md", NULL);
   const LessonStop *stop = lesson_stop (lesson, 0);

@@ -1,4 +1,6 @@
-/* Whatever facet a question calls by its name has that name in the pictures. */
+/* Whatever facet a question calls by its name has that name in the pictures;
+ * and nobody is told what is right in names that only lessons have. */
+#include "attempt.h"
 #include "document.h"
 #include "locate.h"
 #include "question.h"
@@ -95,11 +97,30 @@ test_lessons (void)
   g_assert_cmpuint (n, >=, 10);
 }
 
+static void
+test_a_drag_away_from_a_tie_is_told_in_words (void)
+{
+  static const char asked[]
+      = "# L\n\n```lesson\nformat 1\nsites 0.5 0; 0 0.5; -0.5 0; 0 -0.5\n```\n"
+        "\n## A\n\n```ask\ncomplete\ndrag s0 until not no-simplex\n```\n";
+  g_autoptr (Lesson) lesson
+      = lesson_parse (asked, sizeof asked - 1, "l.md", NULL);
+  const LessonStop *stop = lesson_stop (lesson, 0);
+  g_autoptr (Attempt) attempt = attempt_new (stop->question);
+  g_autoptr (Verdict) verdict
+      = attempt_grade (attempt, stop->question, &stop->occasion);
+
+  g_assert_cmpstr (g_ptr_array_index (verdict->reasons, 0), ==,
+                   "It is still the case that there is no simplex.");
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/question-names/what-lessons-ask-about-can-be-found",
                    test_lessons);
+  g_test_add_func ("/question-names/a-drag-away-from-a-tie-is-told-in-words",
+                   test_a_drag_away_from_a_tie_is_told_in_words);
   return g_test_run ();
 }

@@ -4,6 +4,7 @@
 #include "attempt.h"
 #include "performance-card.h"
 #include "prose.h"
+#include "question-search.h"
 #include "scroll-to.h"
 
 #include <glib/gi18n.h>
@@ -113,9 +114,9 @@ append_missed (GString *text, const GPtrArray *missed)
 }
 
 /* Of a law there is nothing that could be missed; sites for which it fails are
- * in the pictures. */
+ * in the pictures until the lesson goes on. */
 static char *
-law_text (const Exercise *exercise)
+law_text (const Exercise *exercise, const Trace *shown)
 {
   g_autoptr (Answer) answer
       = answer_new (exercise->question, &exercise->occasion);
@@ -123,6 +124,7 @@ law_text (const Exercise *exercise)
       exercise->question, (Object){ OBJECT_NONE, answer->is_found ? 1 : 0 });
   g_autofree char *reason
       = answer->is_found
+                && question_fails (exercise->question->condition, shown)
             ? g_strdup (_ ("It fails for the sites that are shown."))
             : answer_reason (exercise->question, &exercise->occasion,
                              (Object){ OBJECT_NONE, 0 }, TRUE);
@@ -130,21 +132,41 @@ law_text (const Exercise *exercise)
   return g_strdup_printf ("%s. %s", yes_or_no, reason);
 }
 
+/* Of a drag whose answer is shown: the picture has a place where it holds,
+ * until the lesson goes on. */
+static char *
+drag_text (const Exercise *exercise, const Trace *shown)
+{
+  g_autoptr (GString) text = g_string_new (NULL);
+
+  if (exercise->verdict != NULL)
+    append_line (text, _ ("It did not hold where you left the site."));
+  append_line (text, question_drag_holds (exercise->question,
+                                          exercise->occasion.trace, shown)
+                         ? _ ("It holds where the site is now.")
+                         : _ ("The site is back where it was."));
+  return g_string_free (g_steal_pointer (&text), FALSE);
+}
+
+static gboolean
+is_shown (const Exercise *exercise, QuestionKind kind)
+{
+  return !exercise->is_open && exercise->question->kind == kind
+         && (exercise->verdict == NULL || !exercise->verdict->is_right);
+}
+
 /* Whoever looks at the answer without an attempt is told why as well. */
 static char *
-reasons_text (const Exercise *exercise)
+reasons_text (const Exercise *exercise, const Trace *shown)
 {
   g_autoptr (GString) text = g_string_new (NULL);
   const Verdict *verdict = exercise->verdict;
   g_autoptr (Verdict) blank = NULL;
 
-  /* The picture shows a place where it holds. */
-  if (verdict == NULL && !exercise->is_open
-      && exercise->question->kind == QUESTION_DRAG)
-    return g_strdup (_ ("It holds where the site is now."));
-  if (verdict == NULL && !exercise->is_open
-      && exercise->question->kind == QUESTION_ALWAYS)
-    return law_text (exercise);
+  if (is_shown (exercise, QUESTION_DRAG))
+    return drag_text (exercise, shown);
+  if (is_shown (exercise, QUESTION_ALWAYS) && verdict == NULL)
+    return law_text (exercise, shown);
   if (verdict == NULL && !exercise->is_open)
     verdict = blank = attempt_grade (exercise->attempt, exercise->question,
                                      &exercise->occasion);
@@ -165,7 +187,8 @@ show_verdict (QuestionCard *card)
   const Exercise *exercise = card->exercise;
   const Verdict *verdict = exercise->verdict;
   g_autofree char *text = verdict_text (exercise);
-  g_autofree char *reasons = reasons_text (exercise);
+  g_autofree char *reasons
+      = reasons_text (exercise, session_get_trace (card->session));
 
   if (verdict == NULL && exercise_holds_now (exercise)) {
     g_free (text);
@@ -287,6 +310,10 @@ on_changed (Session *session, guint changes, QuestionCard *card)
   (void)session;
   if (changes & (CHANGED_QUESTION | CHANGED_LESSON))
     update (card);
+  /* Its words speak of the sites that are shown. */
+  else if (changes & CHANGED_SITES && card->exercise != NULL
+           && !card->exercise->is_open)
+    show_verdict (card);
   /* Letters of another size push them out of sight. */
   else if (changes & CHANGED_APPEARANCE && card->exercise != NULL)
     scroll_to_buttons (card);

@@ -139,6 +139,20 @@ reason_numbers (const Condition *condition,
                           text, facts);
 }
 
+/* Returns: (transfer full): why the condition holds or does not, as a sentence;
+ *          NULL: its word says all there is to say. */
+static char *
+reason_word (const Condition *condition, const Occasion *occasion)
+{
+  Frame frame;
+  char *reason;
+
+  frame_init (&frame, occasion->trace, occasion->reveal);
+  reason = reason_condition (condition, occasion, &frame);
+  frame_clear (&frame);
+  return reason;
+}
+
 /* Why an option is right, or is not: what it says, seen at the end. */
 static char *
 reason_option (const Grading *grading, guint index, gboolean is_right)
@@ -149,10 +163,15 @@ reason_option (const Grading *grading, guint index, gboolean is_right)
   g_autofree char *text
       = question_item_text (grading->question, (Object){ OBJECT_NONE, index });
   g_autofree char *statement = condition_statement (condition);
+  g_autofree char *reason = reason_word (condition, grading->occasion);
   const char *form;
 
   if (statement == NULL)
     return reason_numbers (condition, grading->occasion, text, is_right);
+  if (reason != NULL)
+    return g_strdup_printf (is_right ? _ ("“%s” is right. %s")
+                                     : _ ("“%s” is wrong. %s"),
+                            text, reason);
   if (condition_is_negated (condition))
     form = is_right ? _ ("“%s” is right: it is not the case that %s.")
                     : _ ("“%s” is wrong: %s.");
@@ -354,13 +373,25 @@ grade_order (Grading *grading)
 
 /* Drags */
 
+/* What does not hold yet, or still does, in words where there are any. */
+static char *
+reason_drag (const Condition *condition)
+{
+  g_autofree char *statement = condition_statement (condition);
+  g_autofree char *sentence = condition_sentence (condition);
+
+  return statement != NULL && condition_is_negated (condition)
+             ? g_strdup_printf (_ ("It is still the case that %s."), statement)
+             : g_strdup_printf (_ ("It is not yet the case that %s."),
+                                sentence);
+}
+
 static void
 grade_drag (Grading *grading)
 {
   Verdict *verdict = grading->verdict;
   const Question *question = grading->question;
   const Run *run = grading->attempt->run;
-  g_autofree char *sentence = condition_sentence (question->condition);
 
   verdict->total = 1;
   verdict->right
@@ -368,8 +399,7 @@ grade_drag (Grading *grading)
         && question_drag_holds (question, grading->occasion->trace, run->trace);
   verdict->missing = 1 - verdict->right;
   if (verdict->right == 0)
-    tell (verdict->reasons,
-          g_strdup_printf (_ ("It is not yet the case that %s."), sentence));
+    tell (verdict->reasons, reason_drag (question->condition));
 }
 
 static gboolean

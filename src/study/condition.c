@@ -222,6 +222,16 @@ condition_is_negated (const Condition *condition)
   return condition->is_negated;
 }
 
+const char *
+condition_word (const Condition *condition, guint arguments[2])
+{
+  if (condition->word == NULL)
+    return NULL;
+  for (guint i = 0; i < 2; i++)
+    arguments[i] = condition->arguments[i];
+  return condition->word->name;
+}
+
 char *
 condition_statement (const Condition *condition)
 {

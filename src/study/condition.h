@@ -46,6 +46,10 @@ char *condition_sentence (const Condition *condition);
 char *condition_statement (const Condition *condition);
 gboolean condition_is_negated (const Condition *condition);
 
+/* Returns: the name of its word, "sees", and its arguments, two at most, to
+ *          @arguments; NULL: it compares numbers. */
+const char *condition_word (const Condition *condition, guint arguments[2]);
+
 /* Returns: (transfer full): the numbers that it compares, as they are in
  *          @frame: "facets of the cone: 4, visible facets: 2". */
 char *condition_facts (const Condition *condition, const Frame *frame);

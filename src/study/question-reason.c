@@ -379,6 +379,26 @@ REASON (reason_corner)
                           object.number);
 }
 
+static char *
+neighbours_sentence (const Frame *frame, guint site, guint other)
+{
+  for (guint i = 0; i < frame->delaunay.n_edges; i++) {
+    const DelaunayEdge *edge = &frame->delaunay.edges[i];
+
+    if (edge->site[0] + edge->site[1] == site + other
+        && (edge->site[0] == site || edge->site[1] == site))
+      return g_strdup_printf (
+          edge->is_free
+              ? _ ("The cells of s%u and s%u have one point in common but no "
+                   "side: the two lie on one empty circle with others.")
+              : _ ("The cells of s%u and s%u have a side in common, and a "
+                   "Delaunay edge joins the two."),
+          site, other);
+  }
+  return g_strdup_printf (
+      _ ("The cells of s%u and s%u have no side in common."), site, other);
+}
+
 REASON (reason_neighbour)
 {
   const guint site = question->argument.number;
@@ -387,22 +407,7 @@ REASON (reason_neighbour)
     return g_strdup_printf (_ ("s%u is the site itself."), site);
   if (!has_cell (frame, object.number))
     return no_cell_sentence (object.number);
-  for (guint i = 0; i < frame->delaunay.n_edges; i++) {
-    const DelaunayEdge *edge = &frame->delaunay.edges[i];
-
-    if (edge->site[0] + edge->site[1] == site + object.number
-        && (edge->site[0] == site || edge->site[1] == site))
-      return g_strdup_printf (
-          edge->is_free
-              ? _ ("The cells of s%u and s%u have one point in common but no "
-                   "side: the two lie on one empty circle with others.")
-              : _ ("The cells of s%u and s%u have a side in common, and a "
-                   "Delaunay edge joins the two."),
-          site, object.number);
-  }
-  return g_strdup_printf (
-      _ ("The cells of s%u and s%u have no side in common."), site,
-      object.number);
+  return neighbours_sentence (frame, site, object.number);
 }
 
 REASON (reason_duplicate)
@@ -413,4 +418,33 @@ REASON (reason_duplicate)
              ? g_strdup_printf (_ ("s%u equals s%u."), object.number, first)
              : g_strdup_printf (_ ("s%u equals no earlier site."),
                                 object.number);
+}
+
+/* Conditions */
+
+char *
+reason_condition (const Condition *condition,
+                  const Occasion *occasion,
+                  const Frame *frame)
+{
+  static const char *const facings[]
+      = { "is-lower", "is-upper", "is-vertical", NULL };
+  static const char *const cells[] = { "bounded", "unbounded", NULL };
+  guint arguments[2];
+  const char *word = condition_word (condition, arguments);
+
+  if (word == NULL)
+    return NULL;
+  if (g_str_equal (word, "sees"))
+    return sees_sentence (occasion->trace, arguments[0], arguments[1]);
+  if (g_strv_contains (facings, word))
+    return reason_facing (NULL, occasion, frame,
+                          (Object){ OBJECT_FACET, arguments[0] });
+  if (g_strv_contains (cells, word))
+    return reason_unbounded (NULL, occasion, frame,
+                             (Object){ OBJECT_SITE, arguments[0] });
+  if (g_str_equal (word, "neighbours") && has_cell (frame, arguments[0])
+      && has_cell (frame, arguments[1]))
+    return neighbours_sentence (frame, arguments[0], arguments[1]);
+  return NULL;
 }

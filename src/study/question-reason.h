@@ -28,6 +28,13 @@ REASON (reason_corner);
 REASON (reason_neighbour);
 REASON (reason_duplicate);
 
+/* Returns: (transfer full): why a condition holds, or does not, in the frame
+ *          in which it is decided; NULL: there is no more to say of its word
+ *          than the word. */
+char *reason_condition (const Condition *condition,
+                        const Occasion *occasion,
+                        const Frame *frame);
+
 /* Returns: whether the site sees the facet: the exact sign. */
 gboolean question_sees (const Trace *trace, guint site, guint facet);
 
