@@ -19,6 +19,7 @@ struct _CodePanel {
   GtkLabel *title;
   GtkListBox *lines;
   const PseudocodeLine *shown; /* the listing */
+  gboolean is_masked;          /* its loop would answer the question */
   guint current;               /* line, or INDEX_NONE */
 };
 
@@ -70,10 +71,22 @@ add_part (GtkBox *box, const char *text)
   gtk_box_pack_start (box, label, FALSE, FALSE, 0);
 }
 
+/* Whoever is asked for the order of the phases could copy it. */
+static gboolean
+would_answer (Session *session)
+{
+  const Exercise *exercise = session_get_exercise (session);
+
+  return session_is_asking (session) && exercise != NULL
+         && exercise->question->kind == QUESTION_ORDER
+         && exercise->question->order == ORDER_OF_PHASES;
+}
+
 static void
 add_line (CodePanel *panel, const PseudocodeLine *line)
 {
-  const char *text = _ (line->text);
+  const char *text
+      = panel->is_masked && line->indent > 0 ? "?" : _ (line->text);
   g_autofree char *marker = g_strndup (text, marker_length (text));
   GtkWidget *row = gtk_list_box_row_new ();
   GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
@@ -110,9 +123,11 @@ show_listing (CodePanel *panel)
 {
   guint n_lines;
   const PseudocodeLine *lines = session_get_lines (panel->session, &n_lines);
+  const gboolean is_masked = would_answer (panel->session);
 
-  if (lines == panel->shown)
+  if (lines == panel->shown && is_masked == panel->is_masked)
     return;
+  panel->is_masked = is_masked;
   while (gtk_list_box_get_row_at_index (panel->lines, 0) != NULL)
     gtk_widget_destroy (
         GTK_WIDGET (gtk_list_box_get_row_at_index (panel->lines, 0)));
