@@ -94,7 +94,10 @@ test_laws_read_as_in_the_panel (void)
   const RoundRow *round = &fixture->trace->rounds[3];
   g_autofree char *at_cone = laws_at (fixture, round->last_cone);
   g_autofree char *at_start = laws_at (fixture, fixture->trace->start_end);
+  /* A site has been chosen, and nobody has looked what it sees. */
+  g_autofree char *at_choose = laws_at (fixture, fixture->trace->start_end + 1);
 
+  g_assert_cmpstr (at_choose, ==, at_start);
   g_assert_cmpstr (at_cone, ==,
                    "inserted: 7 of 8\n"
                    "facets: 10 = 2·7 − 4\n"

@@ -14,7 +14,8 @@ is_whole (const PlanarFrame *frame)
 static void
 add_planar_round (GPtrArray *laws, const PlanarCounts *counts)
 {
-  laws_add (laws, "visible", _ ("visible edges"), "%u", counts->visible);
+  if (counts->visible > 0)
+    laws_add (laws, "visible", _ ("visible edges"), "%u", counts->visible);
   if (counts->horizon > 0)
     laws_add (laws, "horizon", _ ("horizon corners"), "%u", counts->horizon);
   if (counts->cone > 0)

@@ -111,7 +111,9 @@ add_round (GPtrArray *laws, const Frame *frame)
 {
   const FrameCounts *counts = &frame->counts;
 
-  add (laws, "visible", C_ ("counter", "visible"), number (counts->visible));
+  /* Until the first is found there is nothing to count. */
+  if (counts->visible > 0)
+    add (laws, "visible", C_ ("counter", "visible"), number (counts->visible));
   if (frame->place.phase < PHASE_HORIZON)
     return;
   add_found (laws, "horizon", _ ("horizon"), counts->horizon, counts->visible);
