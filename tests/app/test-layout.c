@@ -173,7 +173,7 @@ resize (int width, int height)
   int real_width, real_height;
 
   gtk_window_resize (GTK_WINDOW (stage.window), width, height);
-  for (int i = 0; i < 50; i++) {
+  for (int i = 0; i < 300; i++) {
     wait_ms (GTK_WIDGET (stage.window), 100);
     gtk_window_get_size (GTK_WINDOW (stage.window), &real_width, &real_height);
     if (real_width == width && real_height == height)
@@ -420,7 +420,7 @@ inspect_dialog (const char *action, GPtrArray *faults)
   GtkWidget *dialog = NULL;
 
   g_action_group_activate_action (G_ACTION_GROUP (stage.window), action, NULL);
-  for (int i = 0; i < 50 && dialog == NULL; i++) {
+  for (int i = 0; i < 300 && dialog == NULL; i++) {
     wait_ms (GTK_WIDGET (stage.window), 100);
     dialog = find_dialog ();
   }
