@@ -72,7 +72,7 @@ def sleep_sound(pids, seconds):
         time.sleep(seconds)
         after = [work_of(pid) for pid in pids]
         return None not in before + after and \
-            sum(after) - sum(before) < 0.02e9 * seconds
+            sum(after) - sum(before) < 0.05e9 * seconds
     wait(slept, "nothing moves any more")
 
 
