@@ -103,6 +103,30 @@ test_export_follows_the_order (void)
   g_assert_cmpstr (first, !=, second);
 }
 
+/* They have no name that says what they are. */
+static void
+test_points_and_lessons_come_through_a_pipe (void)
+{
+  static const char *const names[] = { "five.txt", "good.md" };
+  static const char *const lines[]
+      = { "export -o p.svg %s && sed '/<title/d' p.svg",
+          "storyboard -o p.pdf %s && grep -ac obj p.pdf" };
+
+  for (guint i = 0; i < G_N_ELEMENTS (names) * G_N_ELEMENTS (lines); i++) {
+    g_auto (ScriptResult) piped = { 0 }, read = { 0 };
+    g_autofree char *text = script_get (names[i / 2]);
+    g_auto (GStrv) parts = g_strsplit (lines[i % 2], "%s", -1);
+    g_autofree char *from_input = g_strjoinv ("-", parts);
+    g_autofree char *from_file = g_strjoinv (names[i / 2], parts);
+
+    script_run_in ("C", text, &piped, from_input);
+    script_run (&read, from_file);
+    g_assert_cmpstr (piped.err, ==, "");
+    g_assert_cmpint (piped.status, ==, 0);
+    g_assert_cmpstr (piped.out, ==, read.out);
+  }
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -114,6 +138,8 @@ static const struct {
   { "/cli-pictures/the-moment-of-a-picture-matters",
     test_the_moment_of_a_picture_matters },
   { "/cli-pictures/export-follows-the-order", test_export_follows_the_order },
+  { "/cli-pictures/points-and-lessons-come-through-a-pipe",
+    test_points_and_lessons_come_through_a_pipe },
 };
 
 int

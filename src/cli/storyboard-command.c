@@ -1,4 +1,5 @@
 #include "cli.h"
+#include "document.h"
 #include "storyboard.h"
 
 #include <glib/gi18n.h>
@@ -64,7 +65,7 @@ cli_storyboard (const CliCommand *command, int argc, char **argv)
   GError *error = NULL;
 
   if (options_parse (&options, command, argc, argv))
-    status = cli_open_lesson (session, options.paths[0], &error)
+    status = document_open (session, options.paths[0], &error)
                  ? write_storyboard (session, &options)
                  : cli_fail (error);
   options_clear (&options);

@@ -113,17 +113,48 @@ document_open_lesson (Session *session, const char *path, GError **error)
   return TRUE;
 }
 
+/* No points have such a line. */
+static gboolean
+has_lesson_block (const char *text, gsize length)
+{
+  g_autoptr (GRegex) fence
+      = g_regex_new ("^ {0,3}(`{3,}|~{3,}) *lesson *\r?$",
+                     G_REGEX_RAW | G_REGEX_MULTILINE, 0, NULL);
+
+  return g_regex_match_full (
+      fence, text, (gssize)MIN (length, LESSON_MAX_BYTES), 0, 0, NULL, NULL);
+}
+
+static gboolean
+open_text (Session *session,
+           const char *text,
+           gsize length,
+           const char *path,
+           GError **error)
+{
+  g_autoptr (Lesson) lesson = NULL;
+  SiteSet *set;
+
+  if (!input_is_standard (path) || !has_lesson_block (text, length)) {
+    set = document_parse_points (text, length, path, error);
+    return set != NULL && open_set (session, set, error);
+  }
+  lesson = lesson_parse (text, length, path, error);
+  if (lesson != NULL)
+    session_set_lesson (session, lesson);
+  return lesson != NULL;
+}
+
 gboolean
 document_open (Session *session, const char *path, GError **error)
 {
-  SiteSet *set;
+  g_autofree char *text = NULL;
+  gsize length;
 
   if (document_is_lesson (path))
     return document_open_lesson (session, path, error);
-  set = document_read_points (path, error);
-  if (set == NULL)
-    return FALSE;
-  return open_set (session, set, error);
+  text = document_read (path, &length, NULL, error);
+  return text != NULL && open_text (session, text, length, path, error);
 }
 
 GBytes *

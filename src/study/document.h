@@ -18,8 +18,9 @@ typedef enum DocumentError {
 /* Returns: whether @path is a lesson by its name: it ends in .md. */
 gboolean document_is_lesson (const char *path);
 
-/* Opens a lesson or a points file; "-" is points on the standard input. A
- * lesson stands at its first stop, points at their last step.
+/* Opens a lesson or a points file; "-" is the standard input: a lesson when it
+ * has a lesson block, points when it has none. A lesson stands at its first
+ * stop, points at their last step.
  *
  * Errors: DOCUMENT_ERROR or LESSON_ERROR; then the session is unchanged. */
 gboolean document_open (Session *session, const char *path, GError **error);
