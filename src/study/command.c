@@ -93,7 +93,7 @@ parameter_rule (const char *type)
   if (type == NULL)
     return _ ("nothing");
   if (g_str_equal (type, "u"))
-    return _ ("a whole number");
+    return _ ("a site, such as s3");
   if (g_str_equal (type, "(dd)"))
     return _ ("two numbers: X Y");
   if (g_str_equal (type, "(uu)"))
@@ -101,7 +101,7 @@ parameter_rule (const char *type)
   if (g_str_equal (type, "(uuu)"))
     return _ ("three sites");
   if (g_str_equal (type, "(udd)"))
-    return _ ("a whole number and two numbers: N X Y");
+    return _ ("a site and two numbers: s3 X Y");
   if (g_str_equal (type, "d"))
     return _ ("a number");
   if (g_str_equal (type, "(sd)"))
@@ -156,6 +156,7 @@ parse_parameter (const Action *action,
                  GError **error)
 {
   g_auto (GStrv) words = words_split (rest);
+  g_autofree char *verb = g_strdelimit (g_strdup (action->name), "-", ' ');
   GVariant *value = NULL;
 
   *parameter = NULL;
@@ -171,8 +172,7 @@ parse_parameter (const Action *action,
     return TRUE;
   }
   g_set_error (error, ACTION_ERROR, ACTION_ERROR_PARAMETER,
-               _ ("“%s” takes %s%s"), action->name,
-               parameter_rule (action->parameter),
+               _ ("“%s” takes %s%s"), verb, parameter_rule (action->parameter),
                action->parameter != NULL && strchr (action->parameter, 'd')
                    ? words_comma_hint (rest)
                    : "");
