@@ -207,6 +207,14 @@ hull2vd_window_forward_key (Hull2vdWindow *window,
          || gtk_window_activate_key (GTK_WINDOW (window), event);
 }
 
+/* The key that has gone on all the time, where the lesson has no more stops. */
+static gboolean
+is_going_on (const GdkEventKey *event)
+{
+  return event->keyval == GDK_KEY_Page_Down
+         || event->keyval == GDK_KEY_KP_Page_Down;
+}
+
 static gboolean
 hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
 {
@@ -222,6 +230,9 @@ hull2vd_window_key_press (GtkWidget *widget, GdkEventKey *event)
   if (GTK_WIDGET_CLASS (hull2vd_window_parent_class)
           ->key_press_event (widget, event))
     return TRUE;
+  if (is_going_on (event))
+    return lesson_panel_show_next_lesson (
+        HULL2VD_WINDOW (widget)->lesson_panel);
   if (event->keyval != GDK_KEY_Escape)
     return FALSE;
   gtk_window_unfullscreen (window);

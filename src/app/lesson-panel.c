@@ -162,6 +162,12 @@ lesson_panel_get_preferred_height_for_width (GtkWidget *widget,
   *natural = MAX (*minimum, content + faults);
 }
 
+gboolean
+lesson_panel_show_next_lesson (LessonPanel *panel)
+{
+  return lesson_summary_show_next (panel->summary);
+}
+
 static void
 lesson_panel_dispose (GObject *object)
 {

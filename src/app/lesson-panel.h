@@ -22,6 +22,12 @@ void lesson_panel_set_right_button_adds (LessonPanel *panel, gboolean adds);
  * is. */
 void lesson_panel_set_faults (LessonPanel *panel, const LessonFaults *faults);
 
+/* At the end of a lesson there is nothing to go on to but the next one: gives
+ * the keyboard to its button.
+ *
+ * Returns: whether it is there. */
+gboolean lesson_panel_show_next_lesson (LessonPanel *panel);
+
 G_END_DECLS
 
 #endif

@@ -1,9 +1,12 @@
 #include "lesson-summary.h"
 
 #include "lesson-list.h"
+#include "scroll-to.h"
 #include "tooltips.h"
 
 #include <glib/gi18n.h>
+
+#define NEXT_MARGIN 12 /* of the next lesson's button, to the panel's end */
 
 struct _LessonSummary {
   GtkBox parent_instance;
@@ -213,6 +216,16 @@ lesson_summary_set_session (LessonSummary *summary, Session *session)
   g_signal_connect_object (session, "changed", G_CALLBACK (on_changed), summary,
                            G_CONNECT_AFTER);
   update (summary);
+}
+
+gboolean
+lesson_summary_show_next (LessonSummary *summary)
+{
+  if (!gtk_widget_is_visible (summary->next))
+    return FALSE;
+  gtk_widget_grab_focus (summary->next);
+  scroll_to (summary->next, NEXT_MARGIN);
+  return TRUE;
 }
 
 static void

@@ -16,6 +16,11 @@ G_DECLARE_FINAL_TYPE (
 /* Shows itself at the last stop, once nothing is asked there. */
 void lesson_summary_set_session (LessonSummary *summary, Session *session);
 
+/* Gives the keyboard to the button of the next lesson, and scrolls to it.
+ *
+ * Returns: whether it is there. */
+gboolean lesson_summary_show_next (LessonSummary *summary);
+
 G_END_DECLS
 
 #endif
