@@ -127,6 +127,19 @@ test_points_and_lessons_come_through_a_pipe (void)
   }
 }
 
+/* As on a disk that is full: nothing half done is left. */
+static void
+test_a_limit_of_files_is_told (void)
+{
+  g_auto (ScriptResult) result = { 0 };
+
+  script_run (&result, "--version >version.txt; ulimit -f 1; "
+                       "\"$HULL2VD_CLI\" export -o limit.png five.txt; "
+                       "echo $? limit*");
+  g_assert_cmpstr (result.err, ==, "limit.png: File too large\n");
+  g_assert_cmpstr (result.out, ==, "73 limit*\n");
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -138,6 +151,7 @@ static const struct {
   { "/cli-pictures/the-moment-of-a-picture-matters",
     test_the_moment_of_a_picture_matters },
   { "/cli-pictures/export-follows-the-order", test_export_follows_the_order },
+  { "/cli-pictures/a-limit-of-files-is-told", test_a_limit_of_files_is_told },
   { "/cli-pictures/points-and-lessons-come-through-a-pipe",
     test_points_and_lessons_come_through_a_pipe },
 };

@@ -6,6 +6,7 @@
 
 #include <glib/gi18n.h>
 #include <locale.h>
+#include <signal.h>
 
 static const CliCommand commands[] = {
   { "compute", "POINTS",
@@ -96,6 +97,7 @@ main (int argc, char **argv)
 {
   const char *name = argc > 1 ? argv[1] : NULL;
 
+  signal (SIGXFSZ, SIG_IGN); /* what cannot be written is told */
   setlocale (LC_ALL, "");
   setlocale (LC_NUMERIC, "C"); /* numbers are told as they are read */
   locate_translations ();

@@ -190,14 +190,23 @@ document_copy (Session *session)
   return document_sites_text (sites);
 }
 
+/* GLib has no code for some reasons, as for quotas, but their words. */
+static gboolean
+is_reason (const GError *error, int reason)
+{
+  return error->code == G_FILE_ERROR_FAILED
+             ? g_str_has_suffix (error->message, g_strerror (reason))
+             : (int)g_file_error_from_errno (reason) == error->code;
+}
+
 /* Returns: why, without the name that GLib has put into the message: it may be
  *          that of a temporary file. */
 static const char *
 reason_text (const GError *error)
 {
-  if (error->domain == G_FILE_ERROR && error->code != G_FILE_ERROR_FAILED)
+  if (error->domain == G_FILE_ERROR)
     for (int reason = 1; reason <= ERRNO_MAX; reason++)
-      if ((int)g_file_error_from_errno (reason) == error->code)
+      if (is_reason (error, reason))
         return g_strerror (reason);
   return error->message;
 }
