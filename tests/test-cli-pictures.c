@@ -140,6 +140,21 @@ test_a_limit_of_files_is_told (void)
   g_assert_cmpstr (result.out, ==, "73 limit*\n");
 }
 
+/* The signal comes while there is a temporary file. */
+static void
+test_a_file_that_is_begun_is_finished (void)
+{
+  g_auto (ScriptResult) result = { 0 };
+
+  script_run (&result,
+              "--version >version.txt; seq 5000 | awk '{ print $1, $1 * $1 }' "
+              ">parabola.txt; \"$HULL2VD_CLI\" compute -o whole.json "
+              "parabola.txt & until [ -e whole.json ] || "
+              "{ set -- whole.json.*; [ -e \"$1\" ]; }; do :; done; kill $!; "
+              "wait $!; echo whole.json* && tail -c 2 whole.json");
+  g_assert_cmpstr (result.out, ==, "whole.json\n}\n");
+}
+
 static const struct {
   const char *name;
   GTestFunc run;
@@ -152,6 +167,8 @@ static const struct {
     test_the_moment_of_a_picture_matters },
   { "/cli-pictures/export-follows-the-order", test_export_follows_the_order },
   { "/cli-pictures/a-limit-of-files-is-told", test_a_limit_of_files_is_told },
+  { "/cli-pictures/a-file-that-is-begun-is-finished",
+    test_a_file_that_is_begun_is_finished },
   { "/cli-pictures/points-and-lessons-come-through-a-pipe",
     test_points_and_lessons_come_through_a_pipe },
 };

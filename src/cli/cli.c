@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <glib/gi18n.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -213,6 +214,28 @@ write_stdout (const char *bytes, size_t length)
   return FALSE;
 }
 
+/* A file that is begun is finished before a signal ends the program, so that
+ * nothing half done is left. Who reads from a pipe may let it wait for ever. */
+static gboolean
+write_file (const char *path, const CliOutput *output, GError **error)
+{
+  const gboolean may_wait = g_file_test (path, G_FILE_TEST_EXISTS)
+                            && !g_file_test (path, G_FILE_TEST_IS_REGULAR);
+  gboolean is_written;
+  sigset_t ends, before;
+
+  sigemptyset (&ends);
+  if (!may_wait) {
+    sigaddset (&ends, SIGHUP);
+    sigaddset (&ends, SIGINT);
+    sigaddset (&ends, SIGTERM);
+  }
+  sigprocmask (SIG_BLOCK, &ends, &before);
+  is_written = document_write (path, output->bytes, output->length, error);
+  sigprocmask (SIG_SETMASK, &before, NULL);
+  return is_written;
+}
+
 CliStatus
 cli_output_end (CliOutput *output, const char *path)
 {
@@ -224,7 +247,7 @@ cli_output_end (CliOutput *output, const char *path)
   if (path == NULL || g_str_equal (path, "-"))
     status = write_stdout (output->bytes, output->length) ? CLI_DONE
                                                           : CLI_CANNOT_WRITE;
-  else if (!document_write (path, output->bytes, output->length, &error))
+  else if (!write_file (path, output, &error))
     status = cli_fail (error);
   free (output->bytes);
   return status;
