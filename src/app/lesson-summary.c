@@ -6,7 +6,8 @@
 
 #include <glib/gi18n.h>
 
-#define NEXT_MARGIN 12 /* of the next lesson's button, to the panel's end */
+/* Of the next lesson’s button: below it the panel fades. */
+#define NEXT_MARGIN 30
 
 struct _LessonSummary {
   GtkBox parent_instance;
