@@ -37,7 +37,7 @@ is_same_look (const Style *a, const Style *b)
   return colour_equal (a->fill, b->fill) && a->hatch == b->hatch
          && colour_equal (a->line, b->line) && a->width == b->width
          && a->dash == b->dash && a->gap == b->gap && a->mark == b->mark
-         && a->radius == b->radius;
+         && a->radius == b->radius && a->hatch_width == b->hatch_width;
 }
 
 static Style
@@ -45,8 +45,8 @@ look_of (const Theme *theme, const SceneItem *item, Lit lit)
 {
   SceneItem plain = *item;
 
-  /* Paleness is of the step; hues are the sites'. */
-  if (item->role != ROLE_CELL || item->emphasis == EMPHASIS_PALE)
+  /* A small patch of a pale hue would be white; hues are the sites'. */
+  if (theme_has_hue (item->role) && item->emphasis == EMPHASIS_PALE)
     plain.emphasis = EMPHASIS_NORMAL;
   if (plain.emphasis != EMPHASIS_LOUD)
     plain.hue = 0;
@@ -133,6 +133,20 @@ is_other_ink (const Theme *theme, const SceneItem *item)
                            theme_style (theme, &sample).line);
 }
 
+/* Of what is pale here and strong there, the sample is strong. */
+static gboolean
+is_stronger_elsewhere (const GArray *looks, const SceneItem *item)
+{
+  for (guint i = 0; i < looks->len; i++) {
+    const SceneItem *other = &g_array_index (looks, SceneItem, i);
+
+    if (other->role == item->role && other->lit == item->lit
+        && other->emphasis != EMPHASIS_PALE)
+      return item->emphasis == EMPHASIS_PALE;
+  }
+  return FALSE;
+}
+
 static void
 check_item (const Moment *moment, const Theme *theme, const SceneItem *item)
 {
@@ -154,10 +168,10 @@ check_item (const Moment *moment, const Theme *theme, const SceneItem *item)
 
 /* Samples */
 
-/* A few pixels of quite another colour are another shape; an area of a colour
- * that can just be told is another area. */
+/* A few pixels of quite another colour are another shape, such as the gaps of a
+ * thin line; an area of a colour that can just be told is another area. */
 #define CHANNEL_APART 40
-#define PIXELS_APART 18
+#define PIXELS_APART 9
 #define CHANNEL_TOLD 14
 #define PIXELS_TOLD 140
 
@@ -293,8 +307,12 @@ check_themes (Moment *moment, const GArray *looks)
     const Theme *theme = theme_get ((ThemeKind)kind);
 
     moment->rows = legend_rows (moment->session, &moment->marks, theme);
-    for (guint i = 0; i < looks->len; i++)
-      check_item (moment, theme, &g_array_index (looks, SceneItem, i));
+    for (guint i = 0; i < looks->len; i++) {
+      const SceneItem *item = &g_array_index (looks, SceneItem, i);
+
+      if (!is_stronger_elsewhere (looks, item))
+        check_item (moment, theme, item);
+    }
     check_rows (moment, theme);
     g_ptr_array_unref (moment->rows);
   }

@@ -1,7 +1,7 @@
 /* Judges the legend of what a session shows: in each theme every item of the
- * scenes looks like the sample of a row, and no two rows look or read alike.
- * It asks the styles of items and the pixels of samples, not the legend's own
- * notion of marks. */
+ * scenes looks like the sample of a row, as pale and as wide, and no two rows
+ * look or read alike. It asks the styles of items and the pixels of samples,
+ * not the legend's own notion of marks. */
 #ifndef LEGEND_JUDGE_H
 #define LEGEND_JUDGE_H
 

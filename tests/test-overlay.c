@@ -403,6 +403,31 @@ test_answers (void)
   }
 }
 
+/* Facets of which two are seen edge-on lie one on the other. */
+static void
+test_missed (void)
+{
+  g_autoptr (Stage) stage = stage_new ("lecture8", 4, PHASE_SEE);
+  const Delaunay *delaunay = &stage->frame.delaunay;
+  const SceneAnswer answers[] = {
+    { { OBJECT_FACET, delaunay->triangles[0].facet }, ANSWER_RIGHT, 0 },
+    { { OBJECT_FACET, delaunay->triangles[1].facet }, ANSWER_MISSED, 0 },
+  };
+  const Scene *const scenes[] = { &stage->plane, &stage->space };
+
+  stage->look.answers = answers;
+  stage->look.n_answers = G_N_ELEMENTS (answers);
+  stage_draw (stage);
+  for (guint i = 0; i < G_N_ELEMENTS (scenes); i++) {
+    const guint missed = first_of (scenes[i], ROLE_ANSWER_MISSED);
+    const guint right = first_of (scenes[i], ROLE_ANSWER_RIGHT);
+
+    g_assert_cmpuint (missed, !=, NONE);
+    g_assert_cmpuint (right, !=, NONE);
+    g_assert_cmpuint (missed, <, right);
+  }
+}
+
 int
 main (int argc, char **argv)
 {
@@ -422,5 +447,7 @@ main (int argc, char **argv)
                    test_lit_vertex);
   g_test_add_func ("/overlay/answers-have-the-names-of-their-facets",
                    test_answers);
+  g_test_add_func ("/overlay/what-was-missed-covers-no-other-answer",
+                   test_missed);
   return g_test_run ();
 }

@@ -169,6 +169,17 @@ test_widths (void)
   }
 }
 
+/* The cone is what a quiet horizon lies beside. */
+static void
+test_new_edges (void)
+{
+  const Theme *theme = theme_get (THEME_PRINT);
+  const SceneItem quiet = { .role = ROLE_HORIZON, .emphasis = EMPHASIS_PALE };
+
+  g_assert_cmpfloat (theme_style (theme, &quiet).width, >,
+                     1.45 * sight_style (theme, ROLE_CONE_EDGE).width);
+}
+
 /* No hatch shows through the inside of a quiet mark. */
 static void
 check_inside (const Theme *theme)
@@ -239,6 +250,9 @@ main (int argc, char **argv)
   g_test_add_func (
       "/theme-each/in-print-quiet-lines-keep-their-place-in-widths",
       test_widths);
+  g_test_add_func (
+      "/theme-each/in-print-a-quiet-horizon-is-wider-than-new-edges",
+      test_new_edges);
   g_test_add_func ("/theme-each/a-quiet-diamond-stands-out-from-the-cone",
                    test_quiet_diamond);
   return g_test_run ();

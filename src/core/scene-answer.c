@@ -212,31 +212,42 @@ add_vertex (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
   }
 }
 
+static void
+add_answer (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
+{
+  if (answer->kind == ANSWER_NAMED && answer->object.kind != OBJECT_FACET)
+    return;
+  switch (answer->object.kind) {
+  case OBJECT_FACET:
+    add_facet (builder, answer, lifted);
+    break;
+  case OBJECT_RIDGE:
+    add_ridge (builder, answer, lifted);
+    break;
+  case OBJECT_SITE:
+    add_site (builder, answer, lifted);
+    break;
+  case OBJECT_VERTEX:
+    add_vertex (builder, answer, lifted);
+    break;
+  case OBJECT_NONE:
+    break;
+  }
+}
+
+/* What was missed has a casing, which would cover what a person has chosen
+ * where both are seen edge-on: it lies below. */
 void
 scene_add_answers (SceneBuilder *builder, bool lifted)
 {
   uint32_t i;
+  int above;
 
-  for (i = 0; i < builder->look->n_answers; i++) {
-    const SceneAnswer *answer = &builder->look->answers[i];
+  for (above = 0; above <= 1; above++)
+    for (i = 0; i < builder->look->n_answers; i++) {
+      const SceneAnswer *answer = &builder->look->answers[i];
 
-    if (answer->kind == ANSWER_NAMED && answer->object.kind != OBJECT_FACET)
-      continue;
-    switch (answer->object.kind) {
-    case OBJECT_FACET:
-      add_facet (builder, answer, lifted);
-      break;
-    case OBJECT_RIDGE:
-      add_ridge (builder, answer, lifted);
-      break;
-    case OBJECT_SITE:
-      add_site (builder, answer, lifted);
-      break;
-    case OBJECT_VERTEX:
-      add_vertex (builder, answer, lifted);
-      break;
-    case OBJECT_NONE:
-      break;
+      if ((answer->kind != ANSWER_MISSED) == above)
+        add_answer (builder, answer, lifted);
     }
-  }
 }

@@ -78,6 +78,13 @@ void scene_add_segment (SceneBuilder *builder,
                         Role role,
                         Object object,
                         const Point3 ends[2]);
+
+/* A height or distance: ROLE_DROP, with a tick along @across at both ends, so
+ * that it is one however short it is. */
+void scene_add_measure (SceneBuilder *builder,
+                        Object object,
+                        const Point3 ends[2],
+                        Point3 across);
 void scene_add_mark (SceneBuilder *builder,
                      Role role,
                      Object object,

@@ -142,8 +142,8 @@ add_drop (PlanarScene *planar, uint32_t edge, uint32_t site)
   const Point3 foot = { a.x + along * dx, a.y + along * dy, 0 };
 
   if (square > 0)
-    scene_add_segment (&planar->builder, ROLE_DROP,
-                       (Object){ OBJECT_SITE, site }, (Point3[2]){ p, foot });
+    scene_add_measure (&planar->builder, (Object){ OBJECT_SITE, site },
+                       (Point3[2]){ p, foot }, (Point3){ dx, dy, 0 });
 }
 
 /* The choice: the current edge, and how far its outside sites are from it. */

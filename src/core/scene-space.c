@@ -10,8 +10,9 @@
 #define RIM_LEAST 1.2
 #define N_RINGS 5
 #define N_MERIDIANS 12
-#define N_ROUND 96 /* points of a ring */
-#define N_UP 24    /* points of a meridian */
+#define MERIDIANS_DOWN 3 /* every third one goes down to the bottom */
+#define N_ROUND 96       /* points of a ring */
+#define N_UP 24          /* points of a meridian */
 #define TURN 6.28318530717958647692
 
 static const Object no_object = { OBJECT_NONE, 0 };
@@ -126,13 +127,17 @@ add_ring (SceneBuilder *builder,
     add_sheet_point (builder, radius, directions[i % N_ROUND]);
 }
 
+/* All of them would meet in a speck at the bottom: most end at the first
+ * ring. */
 static void
-add_meridian (SceneBuilder *builder, double rim, Pixel direction)
+add_meridian (SceneBuilder *builder, double rim, int number, Pixel direction)
 {
-  int i;
+  const double first = number % MERIDIANS_DOWN == 0 ? 0 : sqrt (1.0 / N_RINGS);
+  int i = (int)(first * N_UP) + 1;
 
   scene_add (builder, SHAPE_PATH, ROLE_SHEET, no_object);
-  for (i = 0; i <= N_UP; i++)
+  add_sheet_point (builder, rim * first, direction);
+  for (; i <= N_UP; i++)
     add_sheet_point (builder, rim * i / N_UP, direction);
 }
 
@@ -151,7 +156,7 @@ add_sheet (SceneBuilder *builder)
     add_ring (builder, ROLE_SHEET, rim * sqrt ((double)i / N_RINGS),
               directions);
   for (i = 0; i < N_MERIDIANS; i++)
-    add_meridian (builder, rim, direction_at (TURN * i / N_MERIDIANS));
+    add_meridian (builder, rim, i, direction_at (TURN * i / N_MERIDIANS));
   add_ring (builder, ROLE_RIM, rim, directions);
 }
 
@@ -320,16 +325,22 @@ add_lifts (SceneBuilder *builder)
   }
 }
 
-/* The foot of the perpendicular from @lift on the plane of @corners: distances
- * to one facet order the sites as QuickHull does. */
 static Point3
-drop_foot (const Point3 corners[3], Point3 lift)
+normal_of (const Point3 corners[3])
 {
   const Point3 a = corners[0], b = corners[1], c = corners[2];
   const Point3 d = { b.x - a.x, b.y - a.y, b.z - a.z };
   const Point3 e = { c.x - a.x, c.y - a.y, c.z - a.z };
-  const Point3 normal
-      = { d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z, d.x * e.y - d.y * e.x };
+
+  return (Point3){ d.y * e.z - d.z * e.y, d.z * e.x - d.x * e.z,
+                   d.x * e.y - d.y * e.x };
+}
+
+/* The foot of the perpendicular from @lift on the plane with a corner @a and a
+ * normal: distances to one facet order the sites as QuickHull does. */
+static Point3
+drop_foot (Point3 a, Point3 normal, Point3 lift)
+{
   const double gap = (lift.x - a.x) * normal.x + (lift.y - a.y) * normal.y
                      + (lift.z - a.z) * normal.z;
   const double part
@@ -337,6 +348,18 @@ drop_foot (const Point3 corners[3], Point3 lift)
 
   return (Point3){ lift.x - part * normal.x, lift.y - part * normal.y,
                    lift.z - part * normal.z };
+}
+
+/* Ticks lie in the plane, and are seen in full from home, upright on what they
+ * are ticks of. */
+static Point3
+across_of (Point3 normal)
+{
+  const Point3 home = { 0.325, -0.894, 0.309 };
+
+  return (Point3){ normal.y * home.z - normal.z * home.y,
+                   normal.z * home.x - normal.x * home.z,
+                   normal.x * home.y - normal.y * home.x };
 }
 
 static void
@@ -347,11 +370,12 @@ add_drop (SceneBuilder *builder, uint32_t facet, uint32_t site)
                               scene_at (builder, corner[1], true),
                               scene_at (builder, corner[2], true) };
   const Point3 lift = scene_at (builder, site, true);
-  const Point3 foot = drop_foot (corners, lift);
+  const Point3 normal = normal_of (corners);
+  const Point3 foot = drop_foot (corners[0], normal, lift);
 
   if (isfinite (foot.x) && isfinite (foot.y) && isfinite (foot.z))
-    scene_add_segment (builder, ROLE_DROP, no_object,
-                       (Point3[2]){ lift, foot });
+    scene_add_measure (builder, no_object, (Point3[2]){ lift, foot },
+                       across_of (normal));
 }
 
 static void

@@ -50,6 +50,7 @@ add_light (LegendMarks *marks, const SceneItem *item)
   else if (is_vertex (item->role))
     mark = LEGEND_SELECTED_VERTEX;
   marks->shapes[mark] |= bit_of (item);
+  marks->is_strong[mark] = true;
 }
 
 static void
@@ -72,6 +73,7 @@ add_plain (LegendMarks *marks, const SceneItem *item)
     add_new_cell (marks, item->hue);
   else
     marks->shapes[mark] |= bit_of (item);
+  marks->is_strong[mark] |= item->emphasis != EMPHASIS_PALE;
 }
 
 void
@@ -104,9 +106,11 @@ legend_marks_merge (LegendMarks *marks, const LegendMarks *from)
 
   if (from->shapes[LEGEND_NEW_CELL] != 0)
     add_new_cell (marks, from->new_hue);
-  for (i = 0; i < N_LEGEND_MARKS; i++)
+  for (i = 0; i < N_LEGEND_MARKS; i++) {
     if (i != LEGEND_NEW_CELL)
       marks->shapes[i] |= from->shapes[i];
+    marks->is_strong[i] |= from->is_strong[i];
+  }
 }
 
 /* What is lit has the look of most of what is lit with it. */
@@ -137,11 +141,20 @@ new_cell_sample (uint32_t hue)
   return item;
 }
 
+/* Hues of cells are so pale that of what is paler one sees none in a sample. */
+static bool
+is_pale (const LegendMarks *marks, int mark)
+{
+  return !marks->is_strong[mark] && mark != ROLE_CELL
+         && mark != ROLE_FURTHEST_CELL && mark != ROLE_TANGENT;
+}
+
 SceneItem
 legend_mark_sample (const LegendMarks *marks, int mark, ObjectKind kind)
 {
   const unsigned int shapes = marks->shapes[mark];
-  SceneItem item = { .emphasis = EMPHASIS_NORMAL };
+  SceneItem item
+      = { .emphasis = is_pale (marks, mark) ? EMPHASIS_PALE : EMPHASIS_NORMAL };
 
   if (mark == ROLE_LIT)
     return lit_sample (kind, LIT_SELECTED);

@@ -25,6 +25,7 @@ enum {
 typedef struct LegendMarks {
   unsigned char shapes[N_LEGEND_MARKS]; /* 1 << SceneShape each; 0: it is in no
                                            picture */
+  bool is_strong[N_LEGEND_MARKS]; /* not all that there is of it is pale */
   uint32_t new_hue, other_new_hue;
 } LegendMarks;
 
@@ -38,7 +39,8 @@ void legend_marks_add_pointed (LegendMarks *marks, const Scene *scene);
 /* Adds all marks of @from. */
 void legend_marks_merge (LegendMarks *marks, const LegendMarks *from);
 
-/* The item of which painter_swatch() draws @mark.
+/* The item of which painter_swatch() draws @mark: as pale as it is where it is
+ * strongest, so that the sample looks like what it explains.
  *
  * @kind: of the object that is selected or pointed at. */
 SceneItem

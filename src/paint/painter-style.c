@@ -25,6 +25,34 @@ scale_style (Style *style, double size)
   style->gap *= size;
 }
 
+/* What will go is a part of the round, and has a row in the legend, also where
+ * it is quiet and seen through what comes in its place. */
+static bool
+keeps_ink (const SceneItem *item)
+{
+  return item->role == ROLE_VISIBLE || item->role == ROLE_VISIBLE_UPPER
+         || item->role == ROLE_VISIBLE_EDGE;
+}
+
+static void
+adapt_to_far (const Painter *painter, const SceneItem *item, Style *style)
+{
+  const Theme *theme = painter->theme;
+  const bool is_pale = item->emphasis == EMPHASIS_PALE;
+
+  if (item->shape == SHAPE_PATH) {
+    style->width *= theme->far_width;
+    style->line.alpha *= is_pale && keeps_ink (item) ? 1 : theme->far_line;
+    style->casing = 0;
+  } else if (item->emphasis != EMPHASIS_LOUD) {
+    /* One hatch behind another would be a third. */
+    if (item->role == ROLE_UPPER || item->role == ROLE_VERTICAL)
+      style->hatch = HATCH_NONE;
+    style->fill.alpha *= theme->has_mat ? 0 : FAR_FILL;
+    style->line.alpha *= keeps_ink (item) ? 1 : FAR_FILL;
+  }
+}
+
 static void
 adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
 {
@@ -44,19 +72,8 @@ adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
       style->hatch = HATCH_NONE;
     }
   }
-  if (depth != DEPTH_HULL_FAR && depth != DEPTH_CONE_FAR)
-    return;
-  if (item->shape == SHAPE_PATH) {
-    style->width *= painter->theme->far_width;
-    style->line.alpha *= painter->theme->far_line;
-    style->casing = 0;
-  } else if (item->emphasis != EMPHASIS_LOUD) {
-    /* One hatch behind another would be a third. */
-    if (item->role == ROLE_UPPER || item->role == ROLE_VERTICAL)
-      style->hatch = HATCH_NONE;
-    style->fill.alpha *= painter->theme->has_mat ? 0 : FAR_FILL;
-    style->line.alpha *= FAR_FILL;
-  }
+  if (depth == DEPTH_HULL_FAR || depth == DEPTH_CONE_FAR)
+    adapt_to_far (painter, item, style);
 }
 
 /* The active set stays larger than the crowd. */

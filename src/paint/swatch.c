@@ -4,6 +4,7 @@
 #include "painter.h"
 
 #include <glib.h>
+#include <math.h>
 
 #define SAMPLE_HATCH 0.7
 
@@ -46,12 +47,29 @@ sample_of (const SceneItem *item)
 }
 
 #define BORDER 1.4 /* px, of an area that has none */
+#define BORDER_CONTRAST 3.0
 
 /* A patch of a plane is seen aslant, of the width. */
 #define PATCH_SLANT 0.25
 
-/* A facet of the legend has a border in a shade of itself that stands out, and
- * its hatch is close enough to be seen to be one. */
+/* Returns: a shade of @fill that stands out from the ground. */
+static Colour
+border_of (Colour fill, const Theme *theme)
+{
+  double part = 0.35;
+  Colour shade = colour_mix (theme->background, fill, fill.alpha), border;
+
+  shade.alpha = 1;
+  do {
+    border = colour_mix (shade, theme->text, part);
+    part += 0.05;
+  } while (part <= 1
+           && colour_contrast (border, theme->background) < BORDER_CONTRAST);
+  return border;
+}
+
+/* A facet of the legend has a border in a shade of itself, and its hatch is
+ * close enough to be seen to be one. */
 static void
 paint_area (cairo_t *cr,
             const Style *style,
@@ -59,7 +77,8 @@ paint_area (cairo_t *cr,
             double slant,
             const double size[2])
 {
-  const double inset = MAX (1, style->width / 2);
+  const double width = MAX (BORDER, style->width);
+  const double inset = width / 2;
   const Pixel corners[4]
       = { { inset + slant * size[0], inset },
           { size[0] - inset, inset },
@@ -69,11 +88,9 @@ paint_area (cairo_t *cr,
   Style bordered = *style;
 
   close.hatch_px *= SAMPLE_HATCH;
-  bordered.width = MAX (BORDER, style->width);
-  if (style->line.alpha <= 0) {
-    bordered.line = colour_mix (style->fill, theme->text, 0.35);
-    bordered.line.alpha = 1;
-  }
+  bordered.width = width;
+  if (style->line.alpha <= 0)
+    bordered.line = border_of (style->fill, theme);
   brush_polygon (cr, &bordered, &close, corners, 4);
 }
 
@@ -100,9 +117,8 @@ paint_cells (cairo_t *cr,
     style.fill = theme_style (theme, &cell).fill;
     brush_polygon (cr, &style, theme, corners, 4);
   }
+  style.line = border_of (style.fill, theme);
   style.fill.alpha = 0;
-  style.line = colour_mix (style.fill, theme->text, 0.35);
-  style.line.alpha = 1;
   paint_area (cr, &style, theme, 0, size);
 }
 
@@ -137,6 +153,7 @@ paint_sheet (cairo_t *cr,
   paint_area (cr, &rim, theme, 0, size);
 }
 
+#define TICK 4.5           /* px, half of it */
 #define TRIANGLE_PART 0.18 /* of the height, for a side */
 
 /* A triangle as it is lit, with its outline. */
@@ -164,9 +181,12 @@ paint_triangle (cairo_t *cr,
   brush_polygon (cr, &outline, theme, corners, 3);
 }
 
+/* Thin lines are sharp when they cover whole pixels. */
 static void
 trace_sample (cairo_t *cr, Sample sample, double width, const double size[2])
 {
+  const double sharp = fmod (floor (width + 0.5), 2) / 2;
+  const double middle = floor (size[1] / 2) + sharp;
   if (sample == SAMPLE_CIRCLE) {
     const double radius
         = MIN (size[0], size[1]) / 2 - MAX (1.5, 0.5 + width / 2);
@@ -182,8 +202,8 @@ trace_sample (cairo_t *cr, Sample sample, double width, const double size[2])
                      side);
     return;
   }
-  cairo_move_to (cr, 2, size[1] / 2);
-  cairo_line_to (cr, size[0] - 2, size[1] / 2);
+  cairo_move_to (cr, 2, middle);
+  cairo_line_to (cr, size[0] - 2, middle);
 }
 
 static void
@@ -199,8 +219,13 @@ scale (Style *style, double factor)
 }
 
 /* A line may be as heavy as this part of the height; a ring has two. */
-#define LINE_PART 0.56
+#define LINE_PART 0.62
 #define RING_PART 0.3
+
+/* A line that is dashed has one dash and a good part of the next. */
+#define PERIODS 1.7
+#define LEAST_ROUND 2.9 /* round a circle; else there are so many: */
+#define ROUND 5
 
 /* Dashes that are no longer than the line is wide would get round ends, which
  * meet, and dots would meet too: the line is made thinner as well. */
@@ -215,6 +240,18 @@ shorten (Style *style, double part)
   narrow = has_dots ? part : MIN (1, style->dash / style->width);
   style->width *= narrow;
   style->casing *= narrow;
+}
+
+/* Returns: how much of their length dashes keep: all of it where some of them
+ *          are seen. */
+static double
+part_of_dashes (const Style *style, Sample sample, double length)
+{
+  const double n_periods = length / (style->dash + style->gap);
+
+  if (sample == SAMPLE_CIRCLE)
+    return n_periods >= LEAST_ROUND ? 1 : n_periods / ROUND;
+  return MIN (1, n_periods / PERIODS);
 }
 
 /* Heavy looks are made smaller until a mark is whole and a line leaves ground
@@ -234,22 +271,36 @@ fit (Style *style, Sample sample, const double size[2])
   if (style->width > 0)
     scale (style, MIN (1, most / style->width));
   if (style->dash > 0)
-    shorten (style, MIN (1, length / (sample == SAMPLE_CIRCLE ? 5 : 3)
-                                / (style->dash + style->gap)));
+    shorten (style, part_of_dashes (style, sample, length));
 }
 
 /* Ridges and creases lie between areas; others on the ground. */
 static void
-paint_under (cairo_t *cr, Role role, const Theme *theme, const double size[2])
+paint_under (cairo_t *cr,
+             const SceneItem *line,
+             const Theme *theme,
+             const double size[2])
 {
-  SceneItem item = { .shape = SHAPE_POLYGON, .emphasis = EMPHASIS_NORMAL };
+  SceneItem item = { .shape = SHAPE_POLYGON, .emphasis = line->emphasis };
   Style style;
 
-  if (role != ROLE_RIDGE && role != ROLE_TANGENT_EDGE)
+  if (line->role != ROLE_RIDGE && line->role != ROLE_TANGENT_EDGE)
     return;
-  item.role = role == ROLE_RIDGE ? ROLE_LOWER : ROLE_TANGENT;
+  item.role = line->role == ROLE_RIDGE ? ROLE_LOWER : ROLE_TANGENT;
   style = theme_style (theme, &item);
   paint_area (cr, &style, theme, 0, size);
+}
+
+/* A height has ticks at its ends. */
+static void
+trace_ticks (cairo_t *cr, const double size[2])
+{
+  for (int i = 0; i <= 1; i++) {
+    const double x = i == 0 ? 3 : size[0] - 3;
+
+    cairo_move_to (cr, x, size[1] / 2 - TICK);
+    cairo_line_to (cr, x, size[1] / 2 + TICK);
+  }
 }
 
 static void
@@ -297,8 +348,12 @@ painter_swatch (cairo_t *cr,
     paint_area (cr, &style, theme, item->role == ROLE_PLANE ? PATCH_SLANT : 0,
                 size);
   else {
-    paint_under (cr, item->role, theme, size);
+    paint_under (cr, item, theme, size);
     paint_line (cr, &style, sample, theme, size);
+    if (item->role == ROLE_DROP) {
+      trace_ticks (cr, size);
+      brush_line (cr, &style);
+    }
   }
   cairo_restore (cr);
 }

@@ -72,8 +72,9 @@ inks_equal (const Theme *a, const Theme *b)
          && a->cell_loudness == b->cell_loudness && a->pale_line == b->pale_line
          && a->pale_contrast == b->pale_contrast
          && a->pale_width == b->pale_width && a->pale_hatch == b->pale_hatch
-         && a->pale_fill == b->pale_fill && a->far_line == b->far_line
-         && a->far_width == b->far_width && a->far_casing == b->far_casing;
+         && a->pale_fill == b->pale_fill && a->pale_cell == b->pale_cell
+         && a->far_line == b->far_line && a->far_width == b->far_width
+         && a->far_casing == b->far_casing;
 }
 
 bool

@@ -32,10 +32,12 @@ theme_paper (Theme *theme)
   theme->cell_chroma = 0.06;
   theme->cell_loudness = 1.3;
   theme->has_mat = true;
+  /* The facets before what is hidden are of full colours. */
+  theme->far_casing = 0.8;
   theme->styles[ROLE_SHEET].fill.alpha = 0.13;
   theme->styles[ROLE_CONE].fill.alpha = 0.6;
   theme->selected_area = theme_colour (0xffb3b3, 0.85);
-  theme->pale_fill = 0.16;
+  theme->pale_fill = 0.11;
   theme->styles[ROLE_LOWER].fill.alpha = 1;
   theme->styles[ROLE_UPPER].fill.alpha = 1;
   theme->styles[ROLE_DELAUNAY_EDGE].width = 3.6;

@@ -40,7 +40,7 @@ static const struct {
   { ROLE_TANGENT_EDGE, 2 },
   { ROLE_DELAUNAY_EDGE, 2.5 },
   { ROLE_CONTOUR, 0.5 },
-  { ROLE_HORIZON, 6 },
+  { ROLE_HORIZON, 7 },
   { ROLE_LIFT, 0.75 },
   { ROLE_LIFT_APEX, 3.2 },
   { ROLE_GAP, 4.8 },
@@ -114,13 +114,16 @@ set_lines (Theme *theme)
   theme->styles[ROLE_FOOT].radius = 2.8;
   theme->styles[ROLE_VORONOI_VERTEX].radius = 1.7;
   dash (theme, ROLE_SHEET, 1.5, 3);
+  dash (theme, ROLE_CONTOUR, 1.5, 3);
+  dash (theme, ROLE_PREVIEW_CELL, 2, 5);
   dash (theme, ROLE_LIFT, 3, 3);
   dash (theme, ROLE_LIFT_APEX, 4, 3.5);
   dash (theme, ROLE_GAP, 7, 2);
-  dash (theme, ROLE_VISIBLE_EDGE, 11, 4);
+  dash (theme, ROLE_VISIBLE_EDGE, 7, 4.5);
   dash (theme, ROLE_CIRCLE_VISIBLE, 5, 3.5);
   dash (theme, ROLE_CIRCLE_SELECTED, 18, 3);
   set_beads (theme);
+  theme->styles[ROLE_HORIZON].casing = 11;
   theme->styles[ROLE_SELECTED_FACET].line = theme_colour (0x707070, 1);
   theme->styles[ROLE_SELECTED_FACET].width = 6;
   theme->styles[ROLE_SELECTED_FACET].casing = 8.5;

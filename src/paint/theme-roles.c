@@ -98,7 +98,8 @@ static const Row rows[N_ROLES] = {
   = { .line = INK_HOVER, .style = { .width = 1.8, .dash = 5, .gap = 4 } },
   [ROLE_PREVIEW_CELL]
   = { .line = INK_HOVER, .style = { .width = 1.8, .dash = 2, .gap = 3 } },
-  [ROLE_CONTOUR] = { .line = INK_SHEET_LINE, .style = { .width = 1 } },
+  [ROLE_CONTOUR]
+  = { .line = INK_SHEET_LINE, .style = { .width = 1, .dash = 2, .gap = 2 } },
   [ROLE_FREE_EDGE]
   = { .line = INK_DELAUNAY,
       .style = { .width = 1.8, .dash = 6, .gap = 5, .casing = 3.8 } },
@@ -128,8 +129,7 @@ static const Row rows[N_ROLES] = {
   = { .line = INK_APEX, .style = { .width = 2.2, .dash = 5, .gap = 4 } },
   [ROLE_LIFT_OUTSIDE]
   = { .line = INK_SELECTED, .style = { .width = 1.6, .dash = 2, .gap = 3 } },
-  [ROLE_DROP]
-  = { .line = INK_SELECTED, .style = { .width = 2.6, .dash = 0.1, .gap = 5 } },
+  [ROLE_DROP] = { .line = INK_SELECTED, .style = { .width = 1.8 } },
   [ROLE_GAP] = { .line = INK_APEX, .style = { .width = 3.6, .casing = 6.5 } },
   [ROLE_LIT] = { .line = INK_APEX, .style = { .width = 3, .casing = 5.5 } },
   [ROLE_ANSWER_CHOSEN]
@@ -160,7 +160,7 @@ static const Row rows[N_ROLES] = {
       .style = { .width = 1.8, .mark = MARK_RINGED, .radius = 3 } },
   [ROLE_VORONOI_VERTEX_DYING]
   = { .fill = INK_PAPER,
-      .fill_alpha = 0.6,
+      .fill_alpha = 0.84,
       .line = INK_VISIBLE,
       .style
       = { .width = 2, .casing = 1.2, .mark = MARK_DIAMOND, .radius = 7 } },
@@ -253,6 +253,7 @@ theme_dip (Theme *theme, const Palette *palette)
     .pale_width = 0.8,
     .pale_hatch = 0.8,
     .pale_fill = 0.32,
+    .pale_cell = 0.32,
     .far_line = 0.5,
     .far_width = 0.75,
   };

@@ -13,8 +13,8 @@
 
 #define N_HUES 24
 
-#define PALE_CELL 0.32 /* alpha: its hue is still its site's */
 #define QUIET_WIDTH 0.6
+#define PALE_CONE 0.8
 
 #define BEHIND_RADIUS 0.7
 #define RING_GAP 3.2
@@ -126,6 +126,15 @@ fade_lines (Theme *theme)
                                   : fade (theme, theme->styles[role].line);
 }
 
+/* What is pale of the cone is still told from what stands. */
+static double
+pale_fill (const Theme *theme, Role role)
+{
+  if (role == ROLE_CONE || role == ROLE_CONE_UPPER)
+    return fmax (PALE_CONE, theme->pale_fill);
+  return theme_has_hue (role) ? theme->pale_cell : theme->pale_fill;
+}
+
 static void
 make_pale (const Theme *theme, Role role, Style *style)
 {
@@ -137,7 +146,7 @@ make_pale (const Theme *theme, Role role, Style *style)
   if (role == ROLE_HULL_AREA)
     style->fill = colour_mix (theme->background, style->fill, theme->pale_fill);
   else if (style->mark == MARK_NONE)
-    style->fill.alpha *= theme_has_hue (role) ? PALE_CELL : theme->pale_fill;
+    style->fill.alpha *= pale_fill (theme, role);
   style->width *= width;
   style->casing *= width;
   style->hatch_width *= theme->pale_hatch;
@@ -236,7 +245,9 @@ theme_put_behind (const Theme *theme, Style *style)
 {
   style->radius *= BEHIND_RADIUS;
   style->width *= theme->far_width;
-  style->line.alpha *= sqrt (theme->far_line);
+  /* Pure hues would shine through pale ink. */
+  if (!theme->has_mat)
+    style->line.alpha *= sqrt (theme->far_line);
   style->casing *= theme->far_casing;
 }
 

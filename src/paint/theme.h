@@ -73,7 +73,8 @@ typedef struct Theme {
   double pale_width;                  /* of lines that are pale */
   double pale_hatch;                  /* of strokes of their hatches */
   double pale_fill;                   /* alpha of areas that are pale */
-  double far_line;                    /* alpha of lines behind the hull */
+  double pale_cell; /* of cells, whose hue is still their site's */
+  double far_line;  /* alpha of lines behind the hull */
   double far_width;
   double far_casing; /* of sites behind the hull */
   bool has_mat;      /* pure hues: neither the sheet nor far facets may shine

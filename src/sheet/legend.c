@@ -299,6 +299,14 @@ add_meaning (LegendRow *row, const char *text)
   row->text = both;
 }
 
+/* What is pale at one moment may not be so at another. */
+static void
+add_strength (LegendRow *row, const LegendMarks *marks)
+{
+  if (row->sample.emphasis == EMPHASIS_PALE && marks->is_strong[row->mark])
+    row->sample.emphasis = EMPHASIS_NORMAL;
+}
+
 /* Nobody has answered on paper, and missed nothing. */
 static char *
 general_text (int mark, Session *session)
@@ -322,6 +330,7 @@ legend_gather (GPtrArray *rows,
     text = general_text (mark, session);
     if (row != NULL) {
       add_meaning (row, text);
+      add_strength (row, marks);
       continue;
     }
     row = row_new (session, marks, mark, INDEX_NONE);
