@@ -189,6 +189,59 @@ test_links_inside_the_folder_are_followed (void)
   remove_folder (folder);
 }
 
+/* Plays a lesson in a thread of its own. */
+static gpointer
+play (gpointer lesson)
+{
+  GError *error = NULL;
+
+  lesson_play (lesson, &error);
+  return error;
+}
+
+static GError *
+play_apart (const char *text, Lesson **lesson)
+{
+  g_autoptr (GError) error = NULL;
+
+  *lesson = lesson_parse_unplayed (text, strlen (text), "l.md", &error);
+  g_assert_no_error (error);
+  g_assert_null (lesson_stop (*lesson, 0)->state);
+  return g_thread_join (g_thread_new ("play", play, *lesson));
+}
+
+static void
+test_a_thread_plays_what_would_be_played_at_once (void)
+{
+  const char *text = STEPS ("sites random 50 seed 3\n"
+                            "goto before round 9 see\nselect s3");
+  g_autoptr (Lesson) lesson = parse (text);
+  g_autoptr (Lesson) other = NULL;
+  g_autoptr (GError) error = play_apart (text, &other);
+
+  g_assert_no_error (error);
+  g_assert_cmpuint (lesson->stops->len, ==, other->stops->len);
+  for (guint i = 0; i < lesson->stops->len; i++) {
+    g_assert_cmpuint (lesson_stop (other, i)->step, >, 0);
+    g_assert_cmpuint (lesson_stop (lesson, i)->step, ==,
+                      lesson_stop (other, i)->step);
+    g_assert_nonnull (lesson_stop (other, i)->state);
+  }
+}
+
+static void
+test_a_thread_says_what_cannot_be_played (void)
+{
+  const char *text = STEPS ("goto round 99");
+  g_autoptr (GError) at_once = NULL, apart = NULL;
+  g_autoptr (Lesson) lesson = NULL;
+
+  g_assert_null (lesson_parse (text, strlen (text), "l.md", &at_once));
+  apart = play_apart (text, &lesson);
+  g_assert_error (apart, LESSON_ERROR, LESSON_ERROR_BROKEN);
+  g_assert_cmpstr (apart->message, ==, at_once->message);
+}
+
 static void
 test_a_lesson_that_is_not_there_cannot_be_opened (void)
 {
@@ -292,6 +345,10 @@ static const struct {
     test_links_pipes_and_folders_are_no_files_of_sites },
   { "/lesson/links-inside-the-folder-are-followed",
     test_links_inside_the_folder_are_followed },
+  { "/lesson/a-thread-plays-what-would-be-played-at-once",
+    test_a_thread_plays_what_would_be_played_at_once },
+  { "/lesson/a-thread-says-what-cannot-be-played",
+    test_a_thread_says_what_cannot_be_played },
   { "/lesson/a-lesson-that-is-not-there-cannot-be-opened",
     test_a_lesson_that_is_not_there_cannot_be_opened },
   { "/lesson/a-copy-takes-a-free-name", test_a_copy_takes_a_free_name },

@@ -59,26 +59,48 @@ show_loaded (Hull2vdWindow *window, const char *path, gboolean is_foreign)
   gtk_widget_grab_focus (GTK_WIDGET (window->plane_view));
 }
 
-/* Shows what is at @path: points that have been read, if @set is not NULL,
- * which is taken. */
+/* What has been read of a file: one of the first two, or neither. */
+typedef struct Content {
+  SiteSet *set;
+  Lesson *lesson;
+  gboolean is_foreign;
+} Content;
+
+static void
+content_clear (Content *content)
+{
+  g_clear_pointer (&content->set, site_set_free);
+  g_clear_pointer (&content->lesson, lesson_unref);
+}
+
+/* Puts what is at @path into the session; what nobody has read yet is read. */
 static gboolean
-load_now (Hull2vdWindow *window,
-          const char *path,
-          SiteSet *set,
-          gboolean is_foreign)
+put_content (Session *session,
+             const char *path,
+             Content *content,
+             GError **error)
+{
+  if (content->lesson != NULL) {
+    session_set_lesson (session, content->lesson);
+    return TRUE;
+  }
+  if (content->set != NULL)
+    return point_import_put (session, g_steal_pointer (&content->set), error);
+  return point_import_open (session, path, &content->is_foreign, error);
+}
+
+/* Shows what is at @path. */
+static gboolean
+load_now (Hull2vdWindow *window, const char *path, Content *content)
 {
   g_autoptr (GError) error = NULL;
   g_autofree char *kept = g_strdup (path);
   char *before = g_steal_pointer (&window->path);
-  gboolean is_open;
 
   g_clear_pointer (&window->awaited, g_free);
   /* The title is made while the session tells of its change. */
   window->path = g_strdup (path);
-  is_open = set != NULL ? point_import_put (window->session, set, &error)
-                        : point_import_open (window->session, path, &is_foreign,
-                                             &error);
-  if (!is_open) {
+  if (!put_content (window->session, path, content, &error)) {
     set_path (window, before);
     window_message_say (window, "open", error->message);
     return FALSE;
@@ -87,20 +109,21 @@ load_now (Hull2vdWindow *window,
   if (window->awaited_work != 0) {
     set_path (window, before);
     window->awaited = g_steal_pointer (&kept);
-    window->is_awaited_foreign = is_foreign;
+    window->is_awaited_foreign = content->is_foreign;
     return TRUE;
   }
   g_free (before);
-  show_loaded (window, kept, is_foreign);
+  show_loaded (window, kept, content->is_foreign);
   return TRUE;
 }
 
-/* Points that a thread reads: many, or of somebody who may let it wait. */
+/* What a thread reads: many points, or of somebody who may let it wait; or
+ * plays: a lesson of many sites. */
 typedef struct Reading {
   Hull2vdWindow *window;
   char *path;
-  SiteSet *set;
-  gboolean is_foreign;
+  Content content;
+  guint stop; /* of the lesson, to begin with */
   ChoreTask *task;
 } Reading;
 
@@ -112,7 +135,7 @@ reading_free (gpointer data)
   if (reading->window->reading == reading->task)
     reading->window->reading = NULL;
   g_object_unref (reading->window);
-  g_clear_pointer (&reading->set, site_set_free);
+  content_clear (&reading->content);
   g_free (reading->path);
   g_free (reading);
 }
@@ -120,11 +143,21 @@ reading_free (gpointer data)
 static gboolean
 read_points (ChoreTask *task, gpointer data, GError **error)
 {
-  Reading *reading = data;
+  Content *content = &((Reading *)data)->content;
 
-  reading->set = point_import_read (reading->path, &reading->is_foreign,
-                                    chore_task_get_cancellable (task), error);
-  return reading->set != NULL;
+  content->set
+      = point_import_read (((Reading *)data)->path, &content->is_foreign,
+                           chore_task_get_cancellable (task), error);
+  return content->set != NULL;
+}
+
+static gboolean
+play_lesson (ChoreTask *task, gpointer data, GError **error)
+{
+  const Reading *reading = data;
+
+  (void)task;
+  return lesson_play (reading->content.lesson, error);
 }
 
 static void
@@ -136,9 +169,29 @@ on_read (gpointer data, const GError *error)
   window->reading = NULL;
   if (error != NULL)
     window_message_say (window, "open", error->message);
-  else
-    load_now (window, reading->path, g_steal_pointer (&reading->set),
-              reading->is_foreign);
+  else if (load_now (window, reading->path, &reading->content)
+           && reading->stop > 0)
+    session_set_stop (window->session, reading->stop);
+}
+
+/* Takes what @content holds. */
+static void
+begin_reading (Hull2vdWindow *window,
+               const char *path,
+               const Content *content,
+               guint stop)
+{
+  const gboolean is_lesson = content->lesson != NULL;
+  Reading *reading = g_new0 (Reading, 1);
+
+  session_cancel (window->session);
+  reading->window = g_object_ref (window);
+  reading->path = g_strdup (path);
+  reading->content = *content;
+  reading->stop = stop;
+  window->reading = reading->task = chore_task_begin (
+      window->session, _ ("The file is being read"),
+      is_lesson ? play_lesson : read_points, on_read, reading, reading_free);
 }
 
 void
@@ -157,25 +210,47 @@ takes_long (const char *path)
 {
   GStatBuf status;
 
-  return !document_is_lesson (path) && g_stat (path, &status) == 0
+  return g_stat (path, &status) == 0
          && (!S_ISREG (status.st_mode) || status.st_size > LONG_BYTES);
+}
+
+/* Loads a lesson, and goes to @stop. */
+static gboolean
+load_lesson (Hull2vdWindow *window, const char *path, guint stop)
+{
+  g_autoptr (GError) error = NULL;
+  Content content = { .lesson = point_import_read_lesson (path, &error) };
+  const gboolean is_large
+      = content.lesson != NULL && content.lesson->n_sites > SESSION_AT_ONCE;
+  gboolean is_loaded = FALSE;
+
+  window_files_stop_reading (window);
+  if (is_large) {
+    begin_reading (window, path, &content, stop);
+    return TRUE;
+  }
+  g_clear_pointer (&window->awaited, g_free);
+  if (content.lesson == NULL || !lesson_play (content.lesson, &error))
+    window_message_say (window, "open", error->message);
+  else
+    is_loaded = load_now (window, path, &content);
+  content_clear (&content);
+  if (is_loaded && stop > 0)
+    session_set_stop (window->session, stop);
+  return is_loaded;
 }
 
 gboolean
 window_files_load (Hull2vdWindow *window, const char *path)
 {
-  Reading *reading;
+  Content content = { NULL, NULL, FALSE };
 
+  if (document_is_lesson (path))
+    return load_lesson (window, path, 0);
   window_files_stop_reading (window);
   if (!takes_long (path))
-    return load_now (window, path, NULL, FALSE);
-  session_cancel (window->session);
-  reading = g_new0 (Reading, 1);
-  reading->window = g_object_ref (window);
-  reading->path = g_strdup (path);
-  window->reading = reading->task
-      = chore_task_begin (window->session, _ ("The file is being read"),
-                          read_points, on_read, reading, reading_free);
+    return load_now (window, path, &content);
+  begin_reading (window, path, &content, 0);
   return TRUE;
 }
 
@@ -229,9 +304,8 @@ window_files_adapt (Hull2vdWindow *window)
     hull2vd_window_say (window, error->message);
     return;
   }
-  if (!window_files_load (window, path))
+  if (!load_lesson (window, path, stop))
     return;
-  session_set_stop (window->session, stop);
   message = g_strdup_printf (
       _ ("This is your own copy, %s. Change it in any editor: what you save is "
          "shown at once."),

@@ -72,6 +72,16 @@ lesson_load (const char *path, GError **error)
 }
 
 Lesson *
+lesson_load_unplayed (const char *path, GError **error)
+{
+  gsize length;
+  g_autofree char *text = lesson_read (path, &length, error);
+
+  return text == NULL ? NULL
+                      : lesson_parse_unplayed (text, length, path, error);
+}
+
+Lesson *
 lesson_load_all (const char *path, LessonFaults *faults)
 {
   GError *error = NULL;

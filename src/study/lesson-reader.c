@@ -354,16 +354,18 @@ read_source (const LessonSource *source,
   cmark_node_free (document);
 }
 
-Lesson *
-lesson_parse_all (const char *text,
-                  gsize length,
-                  const char *path,
-                  LessonFaults *faults)
+/* Returns: (transfer full): what has been read, whatever is wrong with it;
+ * NULL: nothing. */
+static Lesson *
+read_unplayed (const char *text,
+               gsize length,
+               const char *path,
+               LessonFaults *faults)
 {
   g_autofree char *folder = g_path_get_dirname (path);
   g_autoptr (LessonSource) source = NULL;
-  g_autoptr (Lesson) lesson = NULL;
   GError *error = NULL;
+  Lesson *lesson;
 
   source = lesson_source_new (text, length, path, &error);
   if (source == NULL) {
@@ -372,20 +374,63 @@ lesson_parse_all (const char *text,
   }
   lesson = lesson_new (source);
   read_source (source, folder, lesson, faults);
+  faults->site_file = g_strdup (lesson->site_file);
+  return lesson;
+}
+
+Lesson *
+lesson_parse_all (const char *text,
+                  gsize length,
+                  const char *path,
+                  LessonFaults *faults)
+{
+  g_autoptr (Lesson) lesson = read_unplayed (text, length, path, faults);
+
+  if (lesson == NULL)
+    return NULL;
   if (lesson->sites != NULL && lesson->stops->len > 0)
     lesson_fill_states (lesson, faults);
-  faults->site_file = g_strdup (lesson->site_file);
   return faults->errors->len == 0 ? g_steal_pointer (&lesson) : NULL;
+}
+
+/* Returns: FALSE with the first of @faults in @error, if there are any. */
+static gboolean
+is_faultless (const LessonFaults *faults, GError **error)
+{
+  if (faults->errors->len == 0)
+    return TRUE;
+  g_propagate_error (error,
+                     g_error_copy (g_ptr_array_index (faults->errors, 0)));
+  return FALSE;
+}
+
+Lesson *
+lesson_parse_unplayed (const char *text,
+                       gsize length,
+                       const char *path,
+                       GError **error)
+{
+  g_autoptr (LessonFaults) faults = lesson_faults_new ();
+  g_autoptr (Lesson) lesson = read_unplayed (text, length, path, faults);
+
+  return is_faultless (faults, error) ? g_steal_pointer (&lesson) : NULL;
+}
+
+gboolean
+lesson_play (Lesson *lesson, GError **error)
+{
+  g_autoptr (LessonFaults) faults = lesson_faults_new ();
+
+  lesson_fill_states (lesson, faults);
+  return is_faultless (faults, error);
 }
 
 Lesson *
 lesson_parse (const char *text, gsize length, const char *path, GError **error)
 {
-  g_autoptr (LessonFaults) faults = lesson_faults_new ();
-  Lesson *lesson = lesson_parse_all (text, length, path, faults);
+  g_autoptr (Lesson) lesson = lesson_parse_unplayed (text, length, path, error);
 
-  if (lesson == NULL)
-    g_propagate_error (error,
-                       g_error_copy (g_ptr_array_index (faults->errors, 0)));
-  return lesson;
+  return lesson != NULL && lesson_play (lesson, error)
+             ? g_steal_pointer (&lesson)
+             : NULL;
 }

@@ -116,8 +116,25 @@ char *lesson_read (const char *path, gsize *length, GError **error);
  *
  * Returns: (transfer full): the lesson, or NULL with @error set. */
 Lesson *lesson_load (const char *path, GError **error);
+
+/* Both halves of that: reading, which is quick and finds most of what can be
+ * wrong; and playing, which takes long with many sites, and may be another
+ * thread's. A lesson that is not played yet has no states.
+ *
+ * Returns: (transfer full): the lesson, or NULL with @error set. */
+Lesson *lesson_load_unplayed (const char *path, GError **error);
+
+/* Plays such a lesson once; when that goes wrong it is of no use.
+ *
+ * Returns: FALSE with @error set. */
+gboolean lesson_play (Lesson *lesson, GError **error);
+
 Lesson *
 lesson_parse (const char *text, gsize length, const char *path, GError **error);
+Lesson *lesson_parse_unplayed (const char *text,
+                               gsize length,
+                               const char *path,
+                               GError **error);
 
 /* The same, but tells all that is wrong, not only the first of it.
  *

@@ -3,6 +3,7 @@
 #include "decimal-comma.h"
 #include "document.h"
 #include "lesson-source.h"
+#include "lesson-words.h"
 #include "site-file.h"
 #include "words.h"
 
@@ -303,6 +304,17 @@ check_regular (const char *path, GError **error)
     return TRUE; /* or what cannot be opened, which says why */
   refuse (path, 0, _ ("this is not a regular file"), error);
   return FALSE;
+}
+
+Lesson *
+point_import_read_lesson (const char *path, GError **error)
+{
+  Lesson *lesson
+      = check_regular (path, error) ? lesson_load_unplayed (path, error) : NULL;
+
+  if (lesson != NULL)
+    lesson_words_translate (lesson);
+  return lesson;
 }
 
 gboolean

@@ -36,6 +36,13 @@ gboolean point_import_open (Session *session,
                             gboolean *is_foreign,
                             GError **error);
 
+/* The first half of that for a lesson; when it has been played, it is the
+ * session's with session_set_lesson().
+ *
+ * Returns: (transfer full): the lesson, not played yet, in the person's
+ *          language; or NULL with @error set. */
+Lesson *point_import_read_lesson (const char *path, GError **error);
+
 /* Both halves of that for points: what may be another thread's, which may have
  * to wait until @cancellable, unless NULL, says no; and the rest.
  *
