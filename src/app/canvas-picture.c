@@ -122,6 +122,21 @@ canvas_picture_release (CanvasPicture *picture)
   g_clear_pointer (&picture->gl, gl_view_free);
 }
 
+static gpointer
+throw_away (gpointer work)
+{
+  picture_work_free (work);
+  return NULL;
+}
+
+void
+canvas_picture_forget (CanvasPicture *picture)
+{
+  if (picture->tools != NULL)
+    g_thread_unref (g_thread_new ("throw-away", throw_away,
+                                  g_steal_pointer (&picture->tools)));
+}
+
 /* The picture is kept where it is shown from: to send it there each time the
  * pointer moves would cost more than to paint what has changed. */
 static void

@@ -23,6 +23,10 @@ void canvas_picture_free (CanvasPicture *picture);
 void canvas_picture_invalidate (CanvasPicture *picture);
 gboolean canvas_picture_is_valid (const CanvasPicture *picture);
 
+/* What it was made of is of no use for the next one. A thread gives that back:
+ * of many sites it takes long. What is shown stays until then. */
+void canvas_picture_forget (CanvasPicture *picture);
+
 /* The window is about to go, and all that depends on it. */
 void canvas_picture_release (CanvasPicture *picture);
 

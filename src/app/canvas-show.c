@@ -31,6 +31,7 @@ struct CanvasShow {
   guint chore;           /* of the session, for it */
   gboolean is_refused;   /* the person does not wait for this picture */
   gboolean is_undressed; /* it is not of the theme and sizes that are wanted */
+  gboolean was_large;    /* the last picture of a thread was of many sites */
   gboolean is_moving;
   gint64 moved_us; /* when something has last changed */
   guint settle_source;
@@ -332,12 +333,24 @@ begin_work (CanvasShow *show, const Projection *projection, Showing *showing)
     tell_trouble (show, error);
   show->scene = show->spare != NULL ? g_steal_pointer (&show->spare)
                                     : canvas_scene_new ();
+  show->was_large = work->n_sites > SESSION_AT_ONCE;
   canvas_scene_invalidate (show->scene, FALSE);
   canvas_scene_take_marks (show->scene, work->scene);
   show->work = work;
   show->chore = session_begin_chore (
       show->session, _ ("The picture is being drawn"), refuse_work, show);
   canvas_work_begin (work, on_work_done, show);
+}
+
+/* What few sites look like is not compared with what many did, which would
+ * take as long as to draw these. */
+static void
+forget_large (CanvasShow *show)
+{
+  give_up_work (show);
+  if (show->was_large)
+    canvas_picture_forget (show->picture);
+  show->was_large = FALSE;
 }
 
 /* Returns: FALSE: it is painted at once. */
@@ -349,7 +362,7 @@ paint_later (CanvasShow *show, const Projection *projection)
   SceneLook look;
 
   if (!is_large (show)) {
-    give_up_work (show);
+    forget_large (show);
     return FALSE;
   }
   if (show->work != NULL)
