@@ -35,6 +35,8 @@ show (Shown *shown, const Moment *moment, const Camera *camera)
   scene_look_init (&look, moment->frame);
   look.selection = moment->selection;
   look.measured = moment->measured;
+  look.answers = moment->answers;
+  look.n_answers = moment->n_answers;
   if (moment->measured.kind != OBJECT_NONE)
     look.layers |= LAYER_WHY;
   if (moment->is_space) {
@@ -72,8 +74,8 @@ names_letters_of (const PlacedName *placed)
                      placed->box.right - casing, placed->box.bottom - casing };
 }
 
-static double
-distance_to (const PixelBox *box, Pixel at)
+double
+names_distance_to (const PixelBox *box, Pixel at)
 {
   const double x = MAX (MAX (box->left - at.x, at.x - box->right), 0);
   const double y = MAX (MAX (box->top - at.y, at.y - box->bottom), 0);
@@ -98,14 +100,16 @@ names_is_of_site (const SceneItem *item)
 static double
 radius_of (const Style *style)
 {
+  const double ring = style->mark == MARK_RINGED ? style->ring_gap : 0;
+
   return style->halo.alpha > 0
-             ? style->radius + style->casing + style->halo_width
+             ? style->radius + ring + style->casing + style->halo_width
              : style->radius;
 }
 
 /* How large the site's own dot is. */
-static double
-radius_at (const Drawing *drawing, Pixel at)
+double
+names_radius_at (const Drawing *drawing, Pixel at)
 {
   double radius = 0;
 
@@ -163,7 +167,7 @@ is_off_marks (const Shown *shown, const PixelBox *box)
     const Stroke *stroke = &drawing->strokes[i];
 
     if (stroke->kind == STROKE_MARK
-        && distance_to (box, drawing->pixels[stroke->first]) + ROUNDING
+        && names_distance_to (box, drawing->pixels[stroke->first]) + ROUNDING
                < drawing->styles[stroke->style].radius)
       return FALSE;
   }
@@ -174,7 +178,8 @@ static gboolean
 is_nearest (const Shown *shown, const PixelBox *box, Pixel at, double nearer)
 {
   const Drawing *drawing = shown->drawing;
-  const double own = distance_to (box, at) - radius_at (drawing, at);
+  const double own
+      = names_distance_to (box, at) - names_radius_at (drawing, at);
 
   for (uint32_t i = 0; i < drawing->n_strokes; i++) {
     const Stroke *stroke = &drawing->strokes[i];
@@ -187,7 +192,7 @@ is_nearest (const Shown *shown, const PixelBox *box, Pixel at, double nearer)
         || item->object.kind != OBJECT_SITE
         || fabs (middle.x - at.x) + fabs (middle.y - at.y) <= 1)
       continue;
-    if (distance_to (box, middle) - drawing->styles[stroke->style].radius
+    if (names_distance_to (box, middle) - drawing->styles[stroke->style].radius
         < nearer * own)
       return FALSE;
   }
@@ -195,8 +200,8 @@ is_nearest (const Shown *shown, const PixelBox *box, Pixel at, double nearer)
 }
 
 /* Where two lines a + t u and b + s v meet. */
-static gboolean
-is_crossed (Pixel a, Pixel b, Pixel c, Pixel d)
+bool
+names_is_crossed (Pixel a, Pixel b, Pixel c, Pixel d)
 {
   const double ux = b.x - a.x, uy = b.y - a.y, vx = d.x - c.x, vy = d.y - c.y;
   const double by = ux * vy - uy * vx;
@@ -206,8 +211,8 @@ is_crossed (Pixel a, Pixel b, Pixel c, Pixel d)
   return isfinite (t) && isfinite (s) && t > 0 && t < 1 && s > 0 && s < 1;
 }
 
-static double
-distance_from_line (Pixel at, Pixel a, Pixel b)
+double
+names_distance_from_line (Pixel at, Pixel a, Pixel b)
 {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double along = (at.x - a.x) * dx + (at.y - a.y) * dy;
@@ -224,7 +229,7 @@ is_cut_off (const Shown *shown, const PixelBox *box, Pixel at)
   const Pixel middle
       = { (box->left + box->right) / 2, (box->top + box->bottom) / 2 };
   const double heavy = HEAVY * drawing->theme->line_factor * drawing->size;
-  const double radius = radius_at (drawing, at);
+  const double radius = names_radius_at (drawing, at);
 
   for (uint32_t i = 0; i < drawing->n_strokes; i++) {
     const Stroke *stroke = &drawing->strokes[i];
@@ -240,8 +245,8 @@ is_cut_off (const Shown *shown, const PixelBox *box, Pixel at)
     /* The middle of a facet has no dot, but may lie on the line. */
     own = (radius > 0 ? radius : style->width / 2) + ROUNDING;
     for (uint32_t k = 0; k + 1 < stroke->n; k++)
-      if (is_crossed (at, middle, pixels[k], pixels[k + 1])
-          && distance_from_line (at, pixels[k], pixels[k + 1]) > own)
+      if (names_is_crossed (at, middle, pixels[k], pixels[k + 1])
+          && names_distance_from_line (at, pixels[k], pixels[k + 1]) > own)
         return TRUE;
   }
   return FALSE;
@@ -258,8 +263,10 @@ is_led (const Shown *shown, uint32_t item, const PixelBox *box, Pixel at)
     const Pixel *pixels = &drawing->pixels[stroke->first];
 
     if (stroke->kind == STROKE_LINE && stroke->place.item == item
-        && stroke->n == 2 && hypot (pixels[0].x - at.x, pixels[0].y - at.y) < 25
-        && distance_to (box, pixels[1]) < 4)
+        && stroke->n == 2
+        && hypot (pixels[0].x - at.x, pixels[0].y - at.y)
+               < names_radius_at (drawing, at) + LEADER_BEGINS
+        && names_distance_to (box, pixels[1]) < 4)
       return TRUE;
   }
   return FALSE;
@@ -302,7 +309,9 @@ judge_facet (const Shown *shown, uint32_t name, const char *what)
 
   if (shown->drawing->size >= CROWDED && is_cut_off (shown, &box, at)
       && !is_led (shown, placed->item, &box, at))
-    g_error ("%s: %s lies outside its facet", what, item->label);
+    g_error ("%s: %s at %g, %g lies outside its facet, in %g … %g, %g … %g",
+             what, item->label, at.x, at.y, box.left, box.right, box.top,
+             box.bottom);
 }
 
 guint

@@ -27,6 +27,8 @@ typedef struct Moment {
   ThemeKind theme;
   double width, height;
   Object selection, measured;
+  const SceneAnswer *answers; /* n_answers of them */
+  guint n_answers;
 } Moment;
 
 void shown_init (Shown *shown);
@@ -47,6 +49,17 @@ bool names_is_of_site (const SceneItem *item);
 bool
 names_is_apart (const Drawing *drawing, uint32_t name, const PixelBox *box);
 
+/* From the dot that a leader is of; there may be a ring between, px. */
+#define LEADER_BEGINS 9.0
+
+/* Returns: how large the site's own dot is; 0 where there is none. */
+double names_radius_at (const Drawing *drawing, Pixel at);
+double names_distance_to (const PixelBox *box, Pixel at);
+double names_distance_from_line (Pixel at, Pixel a, Pixel b);
+
+/* Whether two lines, from a to b and from c to d, meet. */
+bool names_is_crossed (Pixel a, Pixel b, Pixel c, Pixel d);
+
 /* Returns: what would be wrong with a name whose letters were in @box, or
  *          NULL. */
 const char *names_fault_of (const Shown *shown,
@@ -58,6 +71,29 @@ const char *names_fault_of (const Shown *shown,
  *
  * Returns: how many there are. */
 guint names_judge (const Shown *shown, const char *what);
+
+/* Fails when a leader meets another one, or that of a site touches the dot of
+ * another, or the name at its end stands beside one.
+ *
+ * Returns: how many there are. */
+guint names_judge_leaders (const Shown *shown, const char *what);
+
+/* Fails when the middle of a facet, from which its name goes, lies close to the
+ * dot of a site.
+ *
+ * Returns: how many there are. */
+guint names_judge_middles (const Shown *shown);
+
+/* Returns: how many of @sites have no name, though their dots lie free. */
+guint names_count_nameless (const Shown *shown, const uint32_t sites[3]);
+
+/* Fails when the name of an answer stands close to a dot, or right above or
+ * below the name of a site, though there is a free place in its triangle.
+ *
+ * Returns: how many there are. */
+guint names_judge_answers (const Shown *shown,
+                           const Fixture *fixture,
+                           const char *what);
 
 /* Fails when what is loud or lit has no name. */
 void names_check_none_is_missing (const Shown *shown, const char *what);

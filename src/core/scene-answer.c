@@ -167,7 +167,8 @@ add_facet (SceneBuilder *builder, const SceneAnswer *answer, bool lifted)
   middle = middle_of (builder, site, 3, lifted);
   if (answer->kind != ANSWER_NAMED)
     add_outline (builder, answer, site, middle, lifted);
-  add_name (builder, answer, middle, name_of_facet (builder, answer));
+  add_name (builder, answer, scene_name_point (builder, facet, lifted),
+            name_of_facet (builder, answer));
 }
 
 static void

@@ -251,6 +251,13 @@ SceneItem *scene_add_outline (SceneBuilder *builder,
 
 /* Names the facet that the sentence of the step speaks of; that which is
  * selected. Answers have their names. */
+/* Adds the mark of a site, with its name. */
+void scene_add_site (SceneBuilder *builder, uint32_t site, bool lifted);
+
+/* Returns: where the name of a facet belongs: in its middle, or away from there
+ *          where a corner is too near. */
+Point3
+scene_name_point (const SceneBuilder *builder, uint32_t facet, bool lifted);
 void scene_add_step_name (SceneBuilder *builder, bool lifted);
 void scene_add_selected_name (SceneBuilder *builder, bool lifted);
 

@@ -13,16 +13,6 @@ scene_add_frame (SceneBuilder *builder)
     scene_add_point (builder, corners[i]);
 }
 
-static void
-add_site (SceneBuilder *builder, uint32_t site)
-{
-  const SiteState state = builder->frame->sites[site].state;
-
-  scene_add_mark (
-      builder, scene_site_role (state), (Object){ OBJECT_SITE, site },
-      scene_at (builder, site, false), scene_label (builder, 's', site));
-}
-
 /* The current site is drawn last, over all others. */
 static void
 add_sites (SceneBuilder *builder)
@@ -34,10 +24,10 @@ add_sites (SceneBuilder *builder)
     if (frame->sites[i].state == SITE_APEX)
       apex = i;
     else
-      add_site (builder, i);
+      scene_add_site (builder, i, false);
   }
   if (apex != INDEX_NONE)
-    add_site (builder, apex);
+    scene_add_site (builder, apex, false);
 }
 
 void

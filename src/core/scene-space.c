@@ -409,9 +409,7 @@ add_marks (SceneBuilder *builder)
       const SiteState state = frame->sites[i].state;
 
       if (state != SITE_DUPLICATE && (state == SITE_APEX) == (k == 1))
-        scene_add_mark (builder, scene_site_role (state),
-                        (Object){ OBJECT_SITE, i }, scene_at (builder, i, true),
-                        scene_label (builder, 's', i));
+        scene_add_site (builder, i, true);
     }
 }
 

@@ -191,6 +191,8 @@ typedef struct SceneItem {
   uint32_t hue;       /* of cells: stays with its site */
   double fade;        /* 0: as the theme says … 1: not to be seen */
   bool is_two_sided;  /* a polygon that bounds nothing */
+  bool is_corner;     /* marks: of a site that is a corner of what the step
+                         speaks of, or makes: its name comes first */
   const char *label;  /* marks: "s7", or NULL; owned by the scene */
 } SceneItem;
 

@@ -22,6 +22,7 @@ typedef struct FieldLine {
   double reach; /* half of its width, px */
   double ink;   /* how bad it is to cover a px of it */
   bool is_heavy;
+  bool is_leader; /* of a name that has its place */
 } FieldLine;
 
 typedef struct FieldMark {

@@ -1,5 +1,7 @@
 #include "label-trial.h"
 
+#include "label-geometry.h"
+
 #include <float.h>
 #include <math.h>
 
@@ -14,12 +16,13 @@ static const double gaps[N_GAPS] = { 1.5, 5, 8.5, 12, 18, 26, 36, 44 };
 #define COST_DIRECTION 0.1
 
 /* What it costs not to stand well. */
-#define COST_OUTSIDE 4000.0
-#define COST_NAME 2000.0
+#define COST_OUTSIDE 20000.0
+#define COST_NAME 15000.0
 #define COST_PITY 160.0
-#define COST_MARK 300.0
-#define COST_LEADER 200.0
-#define COST_SHORT 40.0 /* a leader that is hardly seen */
+#define COST_MARK 7000.0
+#define COST_STACKED 45.0
+#define COST_STACKED_OTHER 110.0
+#define COST_UNDER 150.0
 #define COST_MISTAKEN 110.0
 #define COST_BETWEEN 90.0
 
@@ -46,13 +49,11 @@ static const double gaps[N_GAPS] = { 1.5, 5, 8.5, 12, 18, 26, 36, 44 };
  * facet's: it would seem to be the site's second one. */
 #define ABOVE 0.5F
 
-#define SHORT_GAP 8.0
-
-/* A leader leaves lines with so much ink at an angle of which this is the sine,
- * and is no nearer to them than so many px. */
-#define SEEN_INK 1.5
-#define ALONG 0.25
-#define ALONG_PX 2.5
+/* What is too near for good company: one name above the other, parts of their
+ * height; the same when one is a facet's; that of a facet and a mark. */
+#define STACKED 0.6
+#define STACKED_OTHER 1.3
+#define UNDER_MARK 0.6
 
 /* A name that a leader has to tell covers so much more with a line. */
 #define LED_INK 3.0
@@ -81,22 +82,32 @@ label_reach (const Label *label, double gap)
   return label->reach + gap + far_enough (label, gap);
 }
 
-/* Directions fan out from the upper right to both sides. On the right the box
+/* Directions fan out from the upper right to both sides.
+ *
+ * Returns: a sixteenth turn each, from the right over the top. */
+static int
+sixteenth_of (int direction)
+{
+  const int side = direction % 2 == 0 ? direction / 2 : -(direction + 1) / 2;
+
+  return (side + 2 + N_DIRECTIONS) % N_DIRECTIONS;
+}
+
+/* On the right the box
  * slides along the mark, in a corner it turns round it: from everywhere the gap
  * is the same. */
 static Pixel
 middle_at (const Label *label, int direction, double radius)
 {
-  const int side = direction % 2 == 0 ? direction / 2 : -(direction + 1) / 2;
-  const int eighth = (side + 2 + N_DIRECTIONS) % N_DIRECTIONS;
-  const int quarter = ((eighth + 1) / 4) % 4;
-  const double slide = 0.5 * ((eighth + 1) % 4 - 1);
+  const int sixteenth = sixteenth_of (direction);
+  const int quarter = ((sixteenth + 1) / 4) % 4;
+  const double slide = 0.5 * ((sixteenth + 1) % 4 - 1);
   const double width = label->width / 2, height = label->height / 2;
   double x, y;
 
   /* Quarters: right, up, left, down; within one, a third of the side each, and
    * then the corner. */
-  if ((eighth + 1) % 4 == 3) {
+  if ((sixteenth + 1) % 4 == 3) {
     const double along = radius * G_SQRT2 / 2;
 
     x = quarter == 0 || quarter == 3 ? along + width : -along - width;
@@ -115,12 +126,10 @@ middle_at (const Label *label, int direction, double radius)
 static Pixel
 middle_off (const Label *label, int direction, double gap)
 {
-  const Pixel at = label->at;
-  const Pixel far = middle_at (label, direction, 1);
-  const double length = hypot (far.x - at.x, far.y - at.y);
-  const double part = CENTRED_STEP * gap / length;
+  const double angle = sixteenth_of (direction) * 2 * G_PI / N_DIRECTIONS;
 
-  return (Pixel){ at.x + part * (far.x - at.x), at.y + part * (far.y - at.y) };
+  return (Pixel){ label->at.x + CENTRED_STEP * gap * cos (angle),
+                  label->at.y - CENTRED_STEP * gap * sin (angle) };
 }
 
 LabelTrial
@@ -159,16 +168,6 @@ is_borne (const LabelTrial *trial, LabelPatience patience)
              && (patience == BEARS_DOUBT || !(trial->doubt > 0)));
 }
 
-/* From a box to a place, squared. */
-static double
-square_to (const PixelBox *box, Pixel at)
-{
-  const double x = MAX (MAX (box->left - at.x, at.x - box->right), 0);
-  const double y = MAX (MAX (box->top - at.y, at.y - box->bottom), 0);
-
-  return x * x + y * y;
-}
-
 static double
 fault_of_frame (const PixelBox *frame, const PixelBox *box)
 {
@@ -179,9 +178,7 @@ fault_of_frame (const PixelBox *frame, const PixelBox *box)
 }
 
 static double
-fault_of_names (const LabelNear *near,
-                const Label *label,
-                const LabelTrial *trial)
+fault_of_names (const LabelNear *near, const Label *label, LabelTrial *trial)
 {
   const PixelBox *box = &trial->box;
   const float part = (float)(trial->is_held ? HELD * APART : APART);
@@ -199,19 +196,12 @@ fault_of_names (const LabelNear *near,
         = name->is_centred != label->is_centred && !label->is_number;
     const PixelBox *room = is_other ? &roomy : &wide;
 
-    if (boxes_meet (&name->box, name->is_fixed ? room : box))
-      fault += name->is_fixed ? COST_NAME : COST_PITY;
+    if (!name->is_fixed)
+      trial->cost += boxes_meet (&name->box, box) ? COST_PITY : 0;
+    else if (boxes_meet (&name->box, room))
+      fault += COST_NAME;
   }
   return fault;
-}
-
-static bool
-segment_meets (const Pixel ends[2], const PixelBox *box)
-{
-  Pixel cut[2] = { ends[0], ends[1] };
-
-  return clip_to_rectangle ((Pixel){ box->left, box->top },
-                            (Pixel){ box->right, box->bottom }, cut);
 }
 
 bool
@@ -243,8 +233,9 @@ find_marks (const LabelNear *near,
 
   for (guint i = 0; i < near->marks->len && is_borne (trial, patience); i++) {
     const FieldMark *mark = &g_array_index (near->marks, FieldMark, i);
-    const double square = square_to (&trial->box, mark->at);
-    const double reach = trial->is_held ? mark->radius : mark->reach;
+    const double square = label_square_to (&trial->box, mark->at);
+    const double reach
+        = trial->is_held ? MIN (mark->radius, mark->reach) : mark->reach;
     const double needed
         = mark->radius
           + nearest * (is_level (trial, label, mark->at) ? LEVEL : 1);
@@ -258,20 +249,6 @@ find_marks (const LabelNear *near,
   }
 }
 
-/* Twice the area of a triangle; positive when it turns left. */
-static double
-turn (Pixel a, Pixel b, Pixel c)
-{
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-static bool
-segments_cross (Pixel a, Pixel b, Pixel c, Pixel d)
-{
-  return (turn (a, b, c) > 0) != (turn (a, b, d) > 0)
-         && (turn (c, d, a) > 0) != (turn (c, d, b) > 0);
-}
-
 /* Whether a line is crossed on the way to the middle of a name, wherever within
  * @room px of it that comes to lie. */
 static bool
@@ -283,7 +260,7 @@ is_between (const FieldLine *line, Pixel from, Pixel middle, double room)
     const Pixel to = { middle.x + (i % 2 == 0 ? room : -room),
                        middle.y + (i < 2 ? room : -room) };
 
-    if (segments_cross (from, to, ends[0], ends[1]))
+    if (label_segments_cross (from, to, ends[0], ends[1]))
       return true;
   }
   return false;
@@ -340,26 +317,6 @@ ink_under (const LabelNear *near, const PixelBox *box, double most)
   return ink;
 }
 
-/* From a place to a segment. */
-static double
-distance_from (Pixel at, const Pixel ends[2])
-{
-  const double dx = ends[1].x - ends[0].x, dy = ends[1].y - ends[0].y;
-  const double along = (at.x - ends[0].x) * dx + (at.y - ends[0].y) * dy;
-  const double length = dx * dx + dy * dy;
-  const double part = length > 0 ? CLAMP (along / length, 0, 1) : 0;
-
-  return hypot (ends[0].x + part * dx - at.x, ends[0].y + part * dy - at.y);
-}
-
-void
-label_leader (const Label *label, const PixelBox *box, Pixel ends[2])
-{
-  ends[0] = label->at;
-  ends[1] = (Pixel){ CLAMP (label->at.x, box->left, box->right),
-                     CLAMP (label->at.y, box->top, box->bottom) };
-}
-
 bool
 label_trial_is_led (const LabelTrial *trial, const Label *label)
 {
@@ -368,42 +325,35 @@ label_trial_is_led (const LabelTrial *trial, const Label *label)
   return trial->doubt + trial->fault > 0 || trial->gap > LEADER_GAP;
 }
 
-/* Whether a leader lies all along a line that is seen: it would be taken for a
- * part of it. */
-static bool
-runs_along (const FieldLine *line, const Pixel leader[2])
-{
-  const double dx = leader[1].x - leader[0].x, dy = leader[1].y - leader[0].y;
-  const double off = MAX (ALONG * hypot (dx, dy), ALONG_PX);
-  const Pixel middle = { leader[0].x + dx / 2, leader[0].y + dy / 2 };
-
-  return line->ink >= SEEN_INK && distance_from (leader[1], line->ends) < off
-         && distance_from (middle, line->ends) < MAX (off / 2, ALONG_PX);
-}
-
-/* A leader runs over no other mark or name, and along no line. */
+/* What is a pity, though it stands well: a name right above or below another
+ * one, and that of a facet close to a mark. */
 static double
-fault_of_leader (const LabelNear *near, const Label *label, LabelTrial *trial)
+cost_of_company (const LabelNear *near,
+                 const Label *label,
+                 const LabelTrial *trial)
 {
-  Pixel ends[2];
+  const double height = trial->box.bottom - trial->box.top;
+  double cost = 0;
 
-  if (trial->gap < SHORT_GAP)
-    trial->cost += COST_SHORT;
-  label_leader (label, &trial->box, ends);
-  for (guint i = 0; i < near->marks->len; i++) {
-    const FieldMark *mark = &g_array_index (near->marks, FieldMark, i);
+  for (guint i = 0; i < near->names->len; i++) {
+    const FieldName *name = &g_array_index (near->names, FieldName, i);
+    const bool is_other = name->is_centred != label->is_centred;
+    const float apart = (float)((is_other ? STACKED_OTHER : STACKED) * height);
+    const PixelBox tall = { trial->box.left, trial->box.top - apart,
+                            trial->box.right, trial->box.bottom + apart };
 
-    if (!label_is_own (label, mark->at)
-        && distance_from (mark->at, ends) < mark->radius)
-      return COST_LEADER;
+    if (name->is_fixed && boxes_meet (&name->box, &tall))
+      cost += is_other ? COST_STACKED_OTHER : COST_STACKED;
   }
-  for (guint i = 0; i < near->names->len; i++)
-    if (segment_meets (ends, &g_array_index (near->names, FieldName, i).box))
-      return COST_LEADER;
-  for (guint i = 0; i < near->lines->len; i++)
-    if (runs_along (&g_array_index (near->lines, FieldLine, i), ends))
-      return COST_LEADER;
-  return 0;
+  for (guint i = 0; label->is_centred && i < near->marks->len; i++) {
+    const FieldMark *mark = &g_array_index (near->marks, FieldMark, i);
+    const double apart = mark->reach + UNDER_MARK * height;
+
+    if (mark->is_named
+        && label_square_to (&trial->box, mark->at) < apart * apart)
+      cost += COST_UNDER;
+  }
+  return cost;
 }
 
 void
@@ -423,12 +373,14 @@ label_trial_judge (LabelTrial *trial,
   if (is_borne (trial, patience))
     find_lines (near, label, trial);
   if (is_borne (trial, patience) && label_trial_is_led (trial, label))
-    trial->fault += fault_of_leader (near, label, trial);
+    trial->fault += label_leader_fault (near, label, trial);
   if (!is_borne (trial, patience)) {
     trial->cost = DBL_MAX;
     return;
   }
   trial->cost += trial->fault + trial->doubt;
+  if (!trial->is_held && !label->is_number)
+    trial->cost += cost_of_company (near, label, trial);
   ink = ink_under (near, &trial->box, trial->most - trial->cost);
   trial->cost += label_trial_is_led (trial, label) && !label->is_centred
                      ? LED_INK * ink

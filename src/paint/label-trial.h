@@ -50,8 +50,17 @@ bool label_trial_is_led (const LabelTrial *trial, const Label *label);
 /* Whether a mark is its own: marks in the same place share their name. */
 bool label_is_own (const Label *label, Pixel at);
 
-/* The way of the leader, from the middle of the mark. */
-void label_leader (const Label *label, const PixelBox *box, Pixel ends[2]);
+/* The way of the leader, from next to the mark, or the middle of a facet, to
+ * its name in @box.
+ *
+ * Returns: false when it is too short to be seen. */
+bool label_leader (const Label *label, const PixelBox *box, Pixel ends[2]);
+
+/* Returns: what is wrong with the leader that a trial needs, above 0; what is a
+ *          pity is added to cost and doubt of the trial. */
+double label_leader_fault (const LabelNear *near,
+                           const Label *label,
+                           LabelTrial *trial);
 
 /* Returns: how far from its mark a label with gaps up to @gap has to look. */
 double label_reach (const Label *label, double gap);

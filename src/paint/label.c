@@ -9,14 +9,17 @@
 /* Ink of lines, a px of their length: how bad it is to cover. */
 #define INK_PALE 0.5 /* lines that are hardly seen, below PALE_PX */
 #define INK_LINE 1.5
-#define INK_HEAVY 6.0
+#define INK_HEAVY 10.0
 #define INK_CLEAR 100.0 /* of what has to be seen, also leaders */
 #define PALE_PX 0.6
 #define WIDE_PX 4.0 /* from here on each px of width counts */
 
 /* So much more a place may cost than when it was chosen, before a name leaves
  * it. */
-#define SLACK 60.0
+#define SLACK 100.0
+
+/* Other leaders pass the middle of a facet at this distance, px. */
+#define MIDDLE_PX 8.0
 
 /* What a label does for a place. */
 typedef struct Manner {
@@ -27,14 +30,16 @@ typedef struct Manner {
 
 static const Manner manners[] = {
   [LABEL_SHY] = { 2, 34, BEARS_NOTHING },
-  [LABEL_PLAIN] = { 4, 130, BEARS_NOTHING },      /* or plain_manner */
-  [LABEL_MAY_BE_LED] = { 4, 130, BEARS_NOTHING }, /* then led_manner */
+  [LABEL_PLAIN] = { 4, 130, BEARS_NOTHING },     /* or plain_manner */
+  [LABEL_MAY_BE_LED] = { 4, 80, BEARS_NOTHING }, /* then led_manner */
+  [LABEL_SHOULD] = { 4, 80, BEARS_NOTHING },     /* then led_far_manner */
   [LABEL_MUST] = { N_GAPS, DBL_MAX, BEARS_ALL },
   [LABEL_MUST_NEAR] = { 6, DBL_MAX, BEARS_ALL },
 };
 /* Further away one would not see in a crowd which of all marks is meant. */
 static const Manner plain_manner = { 2, 130, BEARS_NOTHING };
 static const Manner led_manner = { 6, 300, BEARS_DOUBT };
+static const Manner led_far_manner = { N_GAPS, 2000, BEARS_DOUBT };
 
 struct LabelSheet {
   PixelBox frame;
@@ -72,9 +77,10 @@ label_sheet_line (LabelSheet *sheet,
   FieldLine line = { .ends = { ends[0], ends[1] }, .reach = width_px / 2 };
 
   if (kind != LABEL_LINE_LIGHT)
-    ink = kind == LABEL_LINE_CLEAR ? INK_CLEAR : INK_HEAVY;
+    ink = kind == LABEL_LINE_HEAVY ? INK_HEAVY : INK_CLEAR;
   line.ink = wide * ink;
-  line.is_heavy = kind != LABEL_LINE_LIGHT;
+  line.is_heavy = kind == LABEL_LINE_HEAVY || kind == LABEL_LINE_CLEAR;
+  line.is_leader = kind == LABEL_LINE_LEADER;
   label_field_add_line (sheet->field, &line);
 }
 
@@ -219,13 +225,13 @@ settle (LabelSheet *sheet, const Label *label)
                              (float)(label->low.y + label->height) },
                            true,
                            label->is_centred };
-  FieldLine leader = { .ink = INK_CLEAR };
+  FieldLine leader = { .ink = INK_CLEAR, .is_leader = true };
 
   label_field_add_name (sheet->field, &name);
   if (!label->place.is_led)
     return;
-  label_leader (label, &name.box, leader.ends);
-  label_field_add_line (sheet->field, &leader);
+  if (label_leader (label, &name.box, leader.ends))
+    label_field_add_line (sheet->field, &leader);
 }
 
 typedef enum Attempt {
@@ -234,15 +240,24 @@ typedef enum Attempt {
   ATTEMPT_TO_BE_LED,
 } Attempt;
 
+#define N_RANKS 4
+
+static const Manner *
+manner_of (const Label *label, Attempt attempt)
+{
+  if (attempt != ATTEMPT_TO_FIND && label->need == LABEL_MAY_BE_LED)
+    return &led_manner;
+  if (attempt != ATTEMPT_TO_FIND && label->need == LABEL_SHOULD)
+    return &led_far_manner;
+  return label->need == LABEL_PLAIN && !label->is_centred
+             ? &plain_manner
+             : &manners[label->need];
+}
+
 static void
 try_to_place (LabelSheet *sheet, Label *label, Attempt attempt)
 {
-  const bool may_be_led
-      = label->need == LABEL_MAY_BE_LED && attempt != ATTEMPT_TO_FIND;
-  const bool is_near = label->need == LABEL_PLAIN && !label->is_centred;
-  const Manner *manner = may_be_led ? &led_manner
-                         : is_near  ? &plain_manner
-                                    : &manners[label->need];
+  const Manner *manner = manner_of (label, attempt);
 
   if (attempt == ATTEMPT_TO_STAY && label->place.slot == LABEL_NOWHERE)
     return;
@@ -255,16 +270,42 @@ try_to_place (LabelSheet *sheet, Label *label, Attempt attempt)
     settle (sheet, label);
 }
 
-/* Those that have to have a place come first. */
-static void
-try_all (LabelSheet *sheet, Label *labels, uint32_t n_labels, Attempt attempt)
+/* Those that have to have a place come first; a facet has more room for its
+ * name than a mark has. */
+static int
+rank_of (const Label *label)
 {
-  for (int is_rest = 0; is_rest < 2; is_rest++)
+  if (label->need >= LABEL_MUST)
+    return label->is_centred ? 1 : 0;
+  return label->need == LABEL_SHOULD ? 2 : 3;
+}
+
+static bool
+can_be_led (const Label *label)
+{
+  return label->need == LABEL_MAY_BE_LED || label->need == LABEL_SHOULD;
+}
+
+static void
+stay_all (LabelSheet *sheet, Label *labels, uint32_t n_labels)
+{
+  for (int rank = 0; rank < N_RANKS; rank++)
     for (uint32_t i = 0; i < n_labels; i++)
-      if (!labels[i].is_settled && (labels[i].need >= LABEL_MUST) != is_rest
-          && (attempt != ATTEMPT_TO_BE_LED
-              || labels[i].need == LABEL_MAY_BE_LED))
-        try_to_place (sheet, &labels[i], attempt);
+      if (!labels[i].is_settled && rank_of (&labels[i]) == rank)
+        try_to_place (sheet, &labels[i], ATTEMPT_TO_STAY);
+}
+
+/* Of one rank a name has a leader where none of the others needs the place. */
+static void
+find_all (LabelSheet *sheet, Label *labels, uint32_t n_labels)
+{
+  for (int rank = 0; rank < N_RANKS; rank++)
+    for (Attempt attempt = ATTEMPT_TO_FIND; attempt <= ATTEMPT_TO_BE_LED;
+         attempt++)
+      for (uint32_t i = 0; i < n_labels; i++)
+        if (!labels[i].is_settled && rank_of (&labels[i]) == rank
+            && (attempt == ATTEMPT_TO_FIND || can_be_led (&labels[i])))
+          try_to_place (sheet, &labels[i], attempt);
 }
 
 void
@@ -274,11 +315,13 @@ label_sheet_place (LabelSheet *sheet, Label *labels, uint32_t n_labels)
     Label *label = &labels[i];
 
     label->is_settled = false;
-    /* The middle of a facet is no mark, nor is that of a gap. */
-    if (!label->is_centred && !label->is_number)
+    /* The middle of a facet is no mark, nor is that of a gap. But a leader may
+     * begin there. */
+    if (label->is_centred && label->need >= LABEL_MUST)
+      label_sheet_mark (sheet, label->at, MIDDLE_PX, 0, false);
+    else if (!label->is_centred && !label->is_number)
       label_sheet_mark (sheet, label->at, label->radius, label->reach, true);
   }
-  try_all (sheet, labels, n_labels, ATTEMPT_TO_STAY);
-  try_all (sheet, labels, n_labels, ATTEMPT_TO_FIND);
-  try_all (sheet, labels, n_labels, ATTEMPT_TO_BE_LED);
+  stay_all (sheet, labels, n_labels);
+  find_all (sheet, labels, n_labels);
 }

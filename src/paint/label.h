@@ -5,8 +5,10 @@
  * other that has a name, and no heavy line lies between the two. Of several
  * such places a name takes the one that covers least of other lines. Where no
  * place near its mark is such, a name is left out, or a leader tells from a
- * little further away whose it is. A leader runs along no line. The name of a
- * facet stands in it, or has a leader, and keeps away from the names of marks.
+ * little further away whose it is. A leader runs along no line, crosses no
+ * other, and passes clear of all marks but its own; nor does the name that it
+ * leads to stand beside another. The name of a facet stands in it, or has a
+ * leader, and keeps away from marks and their names.
  *
  * A name that had a place in the picture before stays there while it stands
  * well and covers hardly more than when the place was chosen. */
@@ -33,6 +35,7 @@ typedef enum LabelNeed {
   LABEL_SHY,        /* it is left out, and also if it would cover anything */
   LABEL_PLAIN,      /* it is left out */
   LABEL_MAY_BE_LED, /* it has a leader, if that and it lie on nothing */
+  LABEL_SHOULD,     /* the same, placed before those and from further away */
   LABEL_MUST,       /* it is never left out, and placed before the others */
   LABEL_MUST_NEAR,  /* the same, near its mark: in a crowd there is no better
                        place far away */
@@ -61,8 +64,9 @@ void label_sheet_free (LabelSheet *sheet);
 /* Of lines with more ink across, more is covered. */
 typedef enum LabelLine {
   LABEL_LINE_LIGHT,
-  LABEL_LINE_HEAVY, /* must not lie between a name and its mark */
-  LABEL_LINE_CLEAR, /* nor under a name */
+  LABEL_LINE_HEAVY,  /* must not lie between a name and its mark */
+  LABEL_LINE_CLEAR,  /* nor under a name */
+  LABEL_LINE_LEADER, /* of another name */
 } LabelLine;
 
 /* What labels should keep off. A mark @is_named when a name beside it would

@@ -101,6 +101,11 @@ add_ink (const Painter *painter,
                       item != NULL && item->object.kind == OBJECT_SITE);
   if (!(ink > 0) || (stroke->kind != STROKE_LINE && !is_outline))
     return;
+  if (painter_is_leader (stroke)) {
+    if (item->lit == LIT_NONE)
+      label_sheet_line (sheet, pixels, ink, LABEL_LINE_LEADER);
+    return;
+  }
   if (item != NULL && item->shape == SHAPE_MARK) {
     add_ring (stroke, item, sheet);
     return;

@@ -102,7 +102,6 @@ painter_want (Painter *painter, Wanted *wanted, uint32_t number)
                 + 2 * (face_of (item) == NAME_ANSWER ? PLATE_PADDING : PADDING);
   label.height = size.height + 2 * PADDING;
   measure_mark (painter, item, &label);
-  label.need = is_important (item) ? LABEL_MUST : LABEL_PLAIN;
   label.is_centred = is_facet_name (item);
   label.is_number = item->role == ROLE_POWER;
   g_array_append_val (wanted->labels, label);
@@ -197,6 +196,23 @@ room_for_names (const Painter *painter)
 }
 
 void
+painter_set_needs (const Painter *painter,
+                   const Wanted *wanted,
+                   bool is_crowd,
+                   LabelNeed need)
+{
+  for (guint i = 0; i < wanted->labels->len; i++) {
+    Label *label = &g_array_index (wanted->labels, Label, i);
+    const SceneItem *item = painter_item_of (painter, label);
+
+    if (is_important (item))
+      label->need = is_crowd ? LABEL_MUST_NEAR : LABEL_MUST;
+    else
+      label->need = item->is_corner ? LABEL_SHOULD : need;
+  }
+}
+
+void
 painter_add_names (Painter *painter)
 {
   const Scene *scene = painter->scene;
@@ -211,16 +227,14 @@ painter_add_names (Painter *painter)
   for (uint32_t i = 0; i < scene->stock.n_items; i++)
     if (room >= ROOM_FOR_SOME || is_important (&scene->items[i]))
       painter_want (painter, &wanted, i);
+  painter_set_needs (painter, &wanted, is_crowd,
+                     room < 1 ? LABEL_SHY
+                     : room < ROOM_FOR_ALL || scene->stock.n_sites > FEW_SITES
+                         ? LABEL_PLAIN
+                         : LABEL_MAY_BE_LED);
   for (guint i = 0; i < wanted.labels->len; i++) {
-    Label *label = &g_array_index (wanted.labels, Label, i);
+    const Label *label = &g_array_index (wanted.labels, Label, i);
 
-    if (label->need == LABEL_MUST)
-      label->need = is_crowd ? LABEL_MUST_NEAR : LABEL_MUST;
-    else
-      label->need = room < 1 ? LABEL_SHY
-                    : room < ROOM_FOR_ALL || scene->stock.n_sites > FEW_SITES
-                        ? LABEL_PLAIN
-                        : LABEL_MAY_BE_LED;
     name_places_tell (names_places (painter->drawing->names),
                       painter_item_of (painter, label), label->at);
   }

@@ -19,6 +19,13 @@ void wanted_clear (Wanted *wanted);
 /* Wants the name of an item, if it has one and is in the view. */
 void painter_want (Painter *painter, Wanted *wanted, uint32_t item);
 
+/* What is important must have its name, and corners should; @need is that of
+ * the others. */
+void painter_set_needs (const Painter *painter,
+                        const Wanted *wanted,
+                        bool is_crowd,
+                        LabelNeed need);
+
 /* Returns: the item that a label names. */
 const SceneItem *painter_item_of (const Painter *painter, const Label *label);
 

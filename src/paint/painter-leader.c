@@ -1,12 +1,12 @@
 /* Leaders: thin lines from marks to names that had to go further away. */
+#include "label-trial.h"
 #include "painter-label.h"
 
 #include <math.h>
 #include <string.h>
 
-#define LEADER_PX 1.2
+#define LEADER_PX 1.0
 #define LEADER_CASING_PX 2.6
-#define LEAST_PX 1.0 /* a shorter one is none */
 
 static Style
 leader_style (const Painter *painter)
@@ -32,30 +32,13 @@ number_style (Painter *painter)
     const Style *known = &drawing->styles[i];
 
     if (known->mark == MARK_NONE && !(known->fill.alpha > 0)
-        && !(known->dash > 0) && known->width == style.width
+        && !(known->dash > 0) && !(known->halo.alpha > 0)
+        && !(known->halo_width > 0) && known->width == style.width
         && known->casing == style.casing
         && colour_equal (known->line, style.line))
       return i;
   }
   return drawing_add_style (painter->drawing, &style);
-}
-
-/* From the ink of the mark to the nearest place of the name. */
-static bool
-find_ends (const Label *label, Pixel ends[2])
-{
-  const Pixel to
-      = { CLAMP (label->at.x, label->low.x, label->low.x + label->width),
-          CLAMP (label->at.y, label->low.y, label->low.y + label->height) };
-  const double dx = to.x - label->at.x, dy = to.y - label->at.y;
-  const double length = hypot (dx, dy);
-
-  if (length < label->radius + LEAST_PX)
-    return false;
-  ends[0] = (Pixel){ label->at.x + dx * label->radius / length,
-                     label->at.y + dy * label->radius / length };
-  ends[1] = to;
-  return true;
 }
 
 bool
@@ -70,9 +53,12 @@ painter_add_leader (Painter *painter, const Label *label)
   static const StrokeKind kinds[2] = { STROKE_CASING, STROKE_LINE };
   const uint32_t style = number_style (painter);
   Drawing *drawing = painter->drawing;
+  const PixelBox box = { (float)label->low.x, (float)label->low.y,
+                         (float)(label->low.x + label->width),
+                         (float)(label->low.y + label->height) };
   Pixel ends[2];
 
-  if (!find_ends (label, ends))
+  if (!label_leader (label, &box, ends))
     return;
   drawing->next = (StrokePlace){ label->item, INDEX_NONE, N_PAINT_LAYERS - 1 };
   drawing->key = 0;

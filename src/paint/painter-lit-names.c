@@ -8,7 +8,7 @@
 #define MANY 200 /* and of more than so many, none reads the names */
 
 /* What is lit is wider: its name need not go away for that. */
-#define LIT_SLACK 60.0
+#define LIT_SLACK 100.0
 
 /* What names are laid over. */
 typedef struct Ground {
@@ -164,29 +164,79 @@ has_name (const Drawing *drawing, uint32_t item)
   return false;
 }
 
+static bool
+is_measured (const Scene *scene, const SceneItem *site)
+{
+  return scene->look.layers & LAYER_WHY
+         && object_equal (scene->look.measured, site->object);
+}
+
 /* Wants the name of the site whose power is told, where it has none yet. */
 static void
 want_measured (Painter *painter, const Drawing *stock, Wanted *wanted)
 {
   const Scene *scene = painter->scene;
-  const Object measured = scene->look.measured;
 
-  if (!(scene->look.layers & LAYER_WHY) || measured.kind != OBJECT_SITE)
+  if (!(scene->look.layers & LAYER_WHY)
+      || scene->look.measured.kind != OBJECT_SITE)
     return;
   for (uint32_t i = 0; i < scene->stock.n_items; i++) {
     const SceneItem *item = &scene->items[i];
 
     if (item->label != NULL && item->lit == LIT_NONE
-        && item->object.kind == measured.kind
-        && item->object.number == measured.number && !has_name (stock, i))
+        && is_measured (scene, item) && !has_name (stock, i))
       painter_want (painter, wanted, i);
   }
 }
 
-static void
-set_need (const Wanted *wanted, LabelNeed need)
+/* Whether a site is a corner of a facet that is selected. */
+static bool
+is_corner (const Scene *scene, const SceneItem *site)
 {
-  for (guint i = 0; i < wanted->labels->len; i++)
+  const Point3 at = scene->points[site->first];
+
+  for (uint32_t i = scene->stock.n_items; i < scene->n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+
+    if (item->role != ROLE_LIT || item->lit != LIT_SELECTED)
+      continue;
+    for (uint32_t k = item->first; k < item->first + item->n; k++) {
+      const Point3 corner = scene->points[k];
+
+      if (!(fabs (corner.x - at.x) + fabs (corner.y - at.y)
+                + fabs (corner.z - at.z)
+            > 0))
+        return true;
+    }
+  }
+  return false;
+}
+
+/* Wants the names of corners of what is selected, where they have none yet. */
+static void
+want_corners (Painter *painter, const Drawing *stock, Wanted *wanted)
+{
+  const Scene *scene = painter->scene;
+  const ObjectKind kind = scene->look.selection.kind;
+
+  if ((kind != OBJECT_FACET && kind != OBJECT_VERTEX)
+      || scene->stock.n_sites > MANY)
+    return;
+  for (uint32_t i = 0; i < scene->stock.n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+
+    if (item->label != NULL && item->lit == LIT_NONE
+        && item->object.kind == OBJECT_SITE && !is_measured (scene, item)
+        && !has_name (stock, i) && is_corner (scene, item))
+      painter_want (painter, wanted, i);
+  }
+}
+
+/* Of all names from @first on. */
+static void
+set_need (const Wanted *wanted, guint first, LabelNeed need)
+{
+  for (guint i = first; i < wanted->labels->len; i++)
     g_array_index (wanted->labels, Label, i).need = need;
 }
 
@@ -197,7 +247,9 @@ add_lit (Painter *painter,
          const Ground *ground)
 {
   const bool skips = are_many (painter->scene, items, n);
+  const bool is_crowd = painter_is_crowd (ground->stock);
   Wanted wanted;
+  guint n_lit;
 
   /* What is only there because of the light comes first. */
   wanted_init (&wanted);
@@ -205,9 +257,13 @@ add_lit (Painter *painter,
     if (!skips || painter->scene->items[items[i]].role == ROLE_SITE_APEX)
       painter_want (painter, &wanted, items[i]);
   want_measured (painter, ground->stock, &wanted);
+  painter_set_needs (painter, &wanted, is_crowd, LABEL_PLAIN);
   if (wanted.labels->len <= FEW)
-    set_need (&wanted,
-              painter_is_crowd (ground->stock) ? LABEL_MUST_NEAR : LABEL_MUST);
+    set_need (&wanted, 0, is_crowd ? LABEL_MUST_NEAR : LABEL_MUST);
+  n_lit = wanted.labels->len;
+  if (!is_crowd)
+    want_corners (painter, ground->stock, &wanted);
+  set_need (&wanted, n_lit, LABEL_SHOULD);
   place_over (painter, &wanted, ground);
   wanted_clear (&wanted);
 }
@@ -218,6 +274,7 @@ static void
 add_displaced (Painter *painter, const Ground *ground)
 {
   const Drawing *stock = ground->stock;
+  const bool is_crowd = painter_is_crowd (stock);
   Wanted wanted;
 
   wanted_init (&wanted);
@@ -228,7 +285,8 @@ add_displaced (Painter *painter, const Ground *ground)
         && painter_takes_name (painter->scene, painter->drawing, placed))
       painter_want (painter, &wanted, placed->item);
   }
-  set_need (&wanted, painter_is_crowd (stock) ? LABEL_PLAIN : LABEL_MAY_BE_LED);
+  painter_set_needs (painter, &wanted, is_crowd,
+                     is_crowd ? LABEL_PLAIN : LABEL_MAY_BE_LED);
   place_over (painter, &wanted, ground);
   wanted_clear (&wanted);
 }
