@@ -95,7 +95,7 @@ check_corners (const Corners *corners)
   g_test_message ("%u of %u corners have no name", corners->n_nameless,
                   corners->n);
   g_assert_cmpuint (corners->n, >, 500);
-  g_assert_cmpuint (100 * corners->n_nameless, <, corners->n);
+  g_assert_cmpuint (200 * corners->n_nameless, <, corners->n);
 }
 
 static void
