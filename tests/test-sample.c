@@ -268,6 +268,40 @@ test_sheet (void)
   sight_for_each_theme (check_sheet);
 }
 
+/* Returns: how many pixels from x = @from to @to stand out. */
+static guint
+count_ink (cairo_surface_t *surface, const Theme *theme, int from, int to)
+{
+  guint n = 0;
+
+  for (int y = 0; y < HEIGHT; y++)
+    for (int x = from; x < to; x++)
+      n += contrast_at (surface, theme, x, y) > 1.6;
+  return n;
+}
+
+/* A site behind the hull is on it, and smaller. */
+static void
+check_behind (const Theme *theme)
+{
+  const SceneItem item = {
+    .role = ROLE_SITE, .shape = SHAPE_MARK, .emphasis = EMPHASIS_NORMAL, .n = 2
+  };
+  cairo_surface_t *surface = paint_item (theme, &item);
+  const guint front = count_ink (surface, theme, 0, WIDTH / 2);
+  const guint behind = count_ink (surface, theme, WIDTH / 2, WIDTH);
+
+  if (behind < 9 || front <= behind)
+    sight_fault (theme, "a site behind the hull", ROLE_SITE, "sample", behind);
+  cairo_surface_destroy (surface);
+}
+
+static void
+test_behind (void)
+{
+  sight_for_each_theme (check_behind);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -278,5 +312,7 @@ main (int argc, char **argv)
                    test_lines);
   g_test_add_func ("/sample/areas-stand-out-from-the-ground", test_areas);
   g_test_add_func ("/sample/the-paraboloid-has-a-rim-and-wires", test_sheet);
+  g_test_add_func ("/sample/sites-on-the-hull-are-before-and-behind-it",
+                   test_behind);
   return g_test_run ();
 }

@@ -90,6 +90,6 @@ scene_add_preview_lift (SceneBuilder *builder)
 
   if (!look->has_preview || !scene_has_layer (builder, LAYER_PREVIEW))
     return;
-  scene_add_segment (builder, ROLE_PREVIEW_EDGE, no_object, ends);
+  scene_add_segment (builder, ROLE_LIFT, no_object, ends);
   scene_add_mark (builder, ROLE_PREVIEW_SITE, no_object, ends[1], NULL);
 }

@@ -44,7 +44,7 @@ add_light (LegendMarks *marks, const SceneItem *item)
   if (item->lit == LIT_NONE || item->role >= ROLE_POWER)
     return;
   if (item->lit == LIT_HOVER)
-    mark = LEGEND_POINTED;
+    mark = is_vertex (item->role) ? LEGEND_POINTED_VERTEX : LEGEND_POINTED;
   else if (item->role == ROLE_CIRCLE_SELECTED)
     mark = ROLE_CIRCLE_SELECTED;
   else if (is_vertex (item->role))
@@ -76,13 +76,21 @@ add_plain (LegendMarks *marks, const SceneItem *item)
   marks->is_strong[mark] |= item->emphasis != EMPHASIS_PALE;
 }
 
+static bool
+is_of_hull (const SceneItem *item)
+{
+  return item->pass == PASS_HULL && item->shape == SHAPE_POLYGON;
+}
+
 void
 legend_marks_add_stock (LegendMarks *marks, const Scene *scene)
 {
   uint32_t i;
 
-  for (i = 0; i < scene->stock.n_items; i++)
+  for (i = 0; i < scene->stock.n_items; i++) {
     add_plain (marks, &scene->items[i]);
+    marks->has_hull |= scene->is_space && is_of_hull (&scene->items[i]);
+  }
 }
 
 void
@@ -104,6 +112,7 @@ legend_marks_merge (LegendMarks *marks, const LegendMarks *from)
 {
   int i;
 
+  marks->has_hull |= from->has_hull;
   if (from->shapes[LEGEND_NEW_CELL] != 0)
     add_new_cell (marks, from->new_hue);
   for (i = 0; i < N_LEGEND_MARKS; i++) {
@@ -167,7 +176,10 @@ legend_mark_sample (const LegendMarks *marks, int mark, ObjectKind kind)
                : shapes & 1u << SHAPE_PATH  ? SHAPE_PATH
                                             : SHAPE_MARK;
   item.role = mark < N_ROLES ? (Role)mark : ROLE_VORONOI_VERTEX;
+  item.n = mark == ROLE_SITE && marks->has_hull ? 2 : 1;
   if (mark == LEGEND_SELECTED_VERTEX || mark == ROLE_CIRCLE_SELECTED)
     item.lit = LIT_SELECTED;
+  if (mark == LEGEND_POINTED_VERTEX)
+    item.lit = LIT_HOVER;
   return item;
 }

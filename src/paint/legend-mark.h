@@ -19,6 +19,7 @@ enum {
   LEGEND_OTHER_NEW_CELL,     /* of that of another run beside it */
   LEGEND_SELECTED_VERTEX,    /* the Voronoi vertex of the selected circle */
   LEGEND_POINTED,            /* whatever the pointer is on */
+  LEGEND_POINTED_VERTEX,     /* the Voronoi vertex of the facet it is on */
   N_LEGEND_MARKS,
 };
 
@@ -26,6 +27,7 @@ typedef struct LegendMarks {
   unsigned char shapes[N_LEGEND_MARKS]; /* 1 << SceneShape each; 0: it is in no
                                            picture */
   bool is_strong[N_LEGEND_MARKS]; /* not all that there is of it is pale */
+  bool has_hull; /* in space, where it hides sites that are on it */
   uint32_t new_hue, other_new_hue;
 } LegendMarks;
 
@@ -40,7 +42,8 @@ void legend_marks_add_pointed (LegendMarks *marks, const Scene *scene);
 void legend_marks_merge (LegendMarks *marks, const LegendMarks *from);
 
 /* The item of which painter_swatch() draws @mark: as pale as it is where it is
- * strongest, so that the sample looks like what it explains.
+ * strongest, so that the sample looks like what it explains. Of two marks (n)
+ * the second lies behind the hull.
  *
  * @kind: of the object that is selected or pointed at. */
 SceneItem

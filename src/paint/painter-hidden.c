@@ -217,10 +217,12 @@ hidden_corners_free (HiddenCorners *hidden)
 bool
 painter_hides (const Painter *painter, const SceneItem *item)
 {
+  const SceneStock *stock = &painter->scene->stock;
   const HiddenCorners *hidden = painter->hidden;
 
-  /* A lift ends at the hull. */
-  return hidden != NULL && can_hide (item) && item->emphasis != EMPHASIS_LOUD
+  /* A lift ends at the hull, but that of a site to be. */
+  return hidden != NULL && item < painter->scene->items + stock->n_items
+         && can_hide (item) && item->emphasis != EMPHASIS_LOUD
          && hidden->states[hidden->numbers[item->first + item->n - 1]]
                 == CORNER_OF_HULL;
 }

@@ -318,6 +318,26 @@ paint_line (cairo_t *cr,
   brush_line (cr, style);
 }
 
+/* Two marks: the second lies behind the hull. */
+static void
+paint_marks (cairo_t *cr,
+             const Style *style,
+             uint32_t n,
+             const Theme *theme,
+             const double size[2])
+{
+  const double share = size[0] / (n == 2 ? 2 : 1);
+  const double y = size[1] / 2;
+  Style behind;
+
+  brush_mark (cr, style, theme, (Pixel){ share / 2, y });
+  if (n != 2)
+    return;
+  behind = *style;
+  theme_put_behind (theme, &behind);
+  brush_mark (cr, &behind, theme, (Pixel){ share * 1.5, y });
+}
+
 void
 painter_swatch (cairo_t *cr,
                 const SceneItem *item,
@@ -337,7 +357,7 @@ painter_swatch (cairo_t *cr,
   cairo_new_path (cr);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
   if (sample == SAMPLE_MARK)
-    brush_mark (cr, &style, theme, (Pixel){ width / 2, height / 2 });
+    paint_marks (cr, &style, item->n, theme, size);
   else if (sample == SAMPLE_TRIANGLE)
     paint_triangle (cr, item, theme, size);
   else if (item->role == ROLE_CELL && item->emphasis != EMPHASIS_LOUD)

@@ -46,7 +46,7 @@ static const char *const mark_texts[N_LEGEND_MARKS] = {
   [ROLE_CONTOUR] = N_ ("equal heights"),
   [ROLE_FREE_EDGE] = N_ ("free diagonal"),
   [ROLE_RIDGE] = N_ ("ridge"),
-  [ROLE_VISIBLE_EDGE] = N_ ("edge will go"),
+  [ROLE_VISIBLE_EDGE] = N_ ("{p} sees: edge"),
   [ROLE_CONE_EDGE] = N_ ("new edge"),
   [ROLE_SEEN_EDGE] = N_ ("{p} is beyond it"),
   [ROLE_LIT] = N_ ("selected"),
@@ -80,6 +80,7 @@ static const char *const mark_texts[N_LEGEND_MARKS] = {
   [ROLE_SITE_LOST] = N_ ("lost by rounding"),
   [ROLE_SITE_IGNORED] = N_ ("inside, ignored"),
   [LEGEND_POINTED] = N_ ("pointed at"),
+  [LEGEND_POINTED_VERTEX] = N_ ("its Voronoi vertex"),
 };
 
 /* Of a hull in the plane, where they say something else. */
@@ -169,6 +170,7 @@ legend_mark_is_of_pointer (int mark)
 {
   switch (mark) {
   case LEGEND_POINTED:
+  case LEGEND_POINTED_VERTEX:
   case ROLE_PREVIEW_TRIANGLE:
   case ROLE_PREVIEW_STOLEN:
   case ROLE_PREVIEW_EDGE:
