@@ -21,6 +21,8 @@ def opening(bench, p, n):
 
 
 def load_again(bench):
+    while bench.p.state("n-sites") < bench.n:
+        bench.p.activate("undo")
     bench.save()
     bench.load()
 
