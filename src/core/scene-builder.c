@@ -3,7 +3,6 @@
 #include "memory.h"
 
 #include <assert.h>
-#include <math.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -285,32 +284,6 @@ scene_add_segment (SceneBuilder *builder,
 {
   scene_add (builder, SHAPE_PATH, role, object);
   scene_add_points (builder, ends, 2);
-}
-
-/* Half of a tick, scene units. */
-#define TICK 0.035
-
-void
-scene_add_measure (SceneBuilder *builder,
-                   Object object,
-                   const Point3 ends[2],
-                   Point3 across)
-{
-  const double length
-      = sqrt (across.x * across.x + across.y * across.y + across.z * across.z);
-  const double part = TICK / length;
-  int i;
-
-  scene_add_segment (builder, ROLE_DROP, object, ends);
-  for (i = 0; i < 2 && isfinite (part); i++) {
-    const Point3 end = ends[i];
-    const Point3 tick[2] = { { end.x - part * across.x, end.y - part * across.y,
-                               end.z - part * across.z },
-                             { end.x + part * across.x, end.y + part * across.y,
-                               end.z + part * across.z } };
-
-    scene_add_segment (builder, ROLE_DROP, object, tick);
-  }
 }
 
 void

@@ -79,6 +79,10 @@ void scene_add_segment (SceneBuilder *builder,
                         Object object,
                         const Point3 ends[2]);
 
+/* Puts a measure so short, for who looks along @gaze, that the mark of its site
+ * would hide it, beside that mark, as draughtsmen do. */
+void scene_put_aside (Point3 ends[2], Point3 across, Point3 gaze);
+
 /* A height or distance: ROLE_DROP, with a tick along @across at both ends, so
  * that it is one however short it is. */
 void scene_add_measure (SceneBuilder *builder,

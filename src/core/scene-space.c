@@ -75,6 +75,7 @@ add_plane (SceneBuilder *builder)
   scene_add_furthest (builder, box);
   scene_add_circles (builder, box, true);
   scene_add_cone_edges (builder, false);
+  scene_add_selected_facet (builder, false);
   scene_add_horizon (builder, false);
   scene_add_voronoi_vertices (diagram);
   add_feet (builder);
@@ -350,20 +351,26 @@ drop_foot (Point3 a, Point3 normal, Point3 lift)
                    lift.z - part * normal.z };
 }
 
+/* Where there are more sites than this, their marks are small, and what lies
+ * beside one could be another's. */
+#define FEW_SITES 40
+
+/* The way to the eye, at home. */
+static const Point3 home = { 0.325, -0.894, 0.309 };
+
 /* Ticks lie in the plane, and are seen in full from home, upright on what they
  * are ticks of. */
 static Point3
 across_of (Point3 normal)
 {
-  const Point3 home = { 0.325, -0.894, 0.309 };
-
   return (Point3){ normal.y * home.z - normal.z * home.y,
                    normal.z * home.x - normal.x * home.z,
                    normal.x * home.y - normal.y * home.x };
 }
 
+/* Of several measures one that is put aside could meet another. */
 static void
-add_drop (SceneBuilder *builder, uint32_t facet, uint32_t site)
+add_drop (SceneBuilder *builder, uint32_t facet, uint32_t site, bool is_only)
 {
   const uint32_t *corner = scene_facet_sites (builder, facet);
   const Point3 corners[3] = { scene_at (builder, corner[0], true),
@@ -372,10 +379,21 @@ add_drop (SceneBuilder *builder, uint32_t facet, uint32_t site)
   const Point3 lift = scene_at (builder, site, true);
   const Point3 normal = normal_of (corners);
   const Point3 foot = drop_foot (corners[0], normal, lift);
+  Point3 ends[2] = { lift, foot };
 
-  if (isfinite (foot.x) && isfinite (foot.y) && isfinite (foot.z))
-    scene_add_measure (builder, no_object, (Point3[2]){ lift, foot },
-                       across_of (normal));
+  if (!isfinite (foot.x) || !isfinite (foot.y) || !isfinite (foot.z))
+    return;
+  if (is_only && builder->frame->n_sites <= FEW_SITES)
+    scene_put_aside (ends, across_of (normal), home);
+  scene_add_measure (builder, no_object, ends, across_of (normal));
+}
+
+static bool
+has_drop (const SceneBuilder *builder, uint32_t site)
+{
+  const SiteState state = builder->frame->sites[site].state;
+
+  return state == SITE_OUTSIDE || state == SITE_APEX;
 }
 
 static void
@@ -383,18 +401,19 @@ add_drops (SceneBuilder *builder)
 {
   const uint32_t facet = scene_selected_facet (builder);
   const Frame *frame = builder->frame;
-  uint32_t i;
+  uint32_t i, n = 0;
 
   if (facet == INDEX_NONE)
     return;
   if (builder->event->kind == EVENT_CLAIM) {
-    add_drop (builder, facet, builder->event->site);
+    add_drop (builder, facet, builder->event->site, true);
     return;
   }
   for (i = 0; i < frame->n_sites; i++)
-    if (frame->sites[i].state == SITE_OUTSIDE
-        || frame->sites[i].state == SITE_APEX)
-      add_drop (builder, facet, i);
+    n += has_drop (builder, i);
+  for (i = 0; i < frame->n_sites; i++)
+    if (has_drop (builder, i))
+      add_drop (builder, facet, i, n == 1);
 }
 
 static void
