@@ -256,11 +256,13 @@ check_behind (const LookCase *what)
   drawing_set_stock (drawing, &look.scene, &look.projection, look.theme);
   for (i = 0; i < drawing->n_strokes; i++) {
     const Stroke *stroke = &drawing->strokes[i];
-    const SceneItem *item = &look.scene.items[stroke->place.item];
+    const SceneItem *item = look.scene.items;
     gboolean is_small;
 
-    if (stroke->kind != STROKE_MARK || item->role != ROLE_SITE)
+    if (stroke->kind != STROKE_MARK || stroke->place.item == INDEX_NONE
+        || item[stroke->place.item].role != ROLE_SITE)
       continue;
+    item += stroke->place.item;
     is_small = drawing->styles[stroke->style].radius < least;
     if (is_small != is_behind_hull (&look, look.scene.points[item->first]))
       g_error ("%s: %s looks wrong", what->name, item->label);

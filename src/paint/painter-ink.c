@@ -95,10 +95,10 @@ add_ink (const Painter *painter,
   const double ink = style->width * style->line.alpha;
   const bool is_outline = stroke->kind == STROKE_POLYGON;
 
-  if (stroke->kind == STROKE_MARK)
+  if (stroke->kind == STROKE_MARK && item != NULL)
     label_sheet_mark (sheet, pixels[0], painter_mark_radius (style),
                       brush_mark_reach (style),
-                      item != NULL && item->object.kind == OBJECT_SITE);
+                      item->object.kind == OBJECT_SITE);
   if (!(ink > 0) || (stroke->kind != STROKE_LINE && !is_outline))
     return;
   if (painter_is_leader (stroke)) {

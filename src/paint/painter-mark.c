@@ -1,5 +1,6 @@
 /* Marks: as strokes of one pixel, that of their middle; rings of dashes as
- * lines round it. */
+ * lines round it. What a site shines through has a ground under all sites, so
+ * that no line does. */
 #include "painter-private.h"
 
 #include <math.h>
@@ -54,4 +55,42 @@ painter_add_mark (Painter *painter, const SceneItem *item)
   stroke_begin (painter->drawing, STROKE_MARK, style);
   stroke_add (painter->drawing, at);
   stroke_end (painter->drawing);
+}
+
+static uint32_t
+add_ground_style (Painter *painter, const SceneItem *item)
+{
+  Style ground = painter_style (painter, item);
+
+  ground.fill.alpha = 1 - item->fade;
+  ground.line = ground.fill;
+  ground.width = ground.casing = 0;
+  return drawing_add_style (painter->drawing, &ground);
+}
+
+void
+painter_add_grounds (Painter *painter, const PaintOrder *order, uint32_t layer)
+{
+  uint32_t i, style = INDEX_NONE;
+  double fade = 0;
+  Pixel at;
+
+  painter->depth = paint_layer_depth (layer);
+  for (i = order->starts[layer]; i < order->starts[layer + 1]; i++) {
+    const SceneItem *item = &painter->scene->items[order->items[i]];
+
+    if (item->role != ROLE_VORONOI_VERTEX_DYING
+        || painter_draw_again (painter,
+                               painter_key (painter, item, STROKE_REGION)))
+      continue;
+    if (style == INDEX_NONE || fade < item->fade || fade > item->fade)
+      style = add_ground_style (painter, item);
+    fade = item->fade;
+    if (!find_middle (painter, item, &at))
+      continue;
+    stroke_begin (painter->drawing, STROKE_MARK, style);
+    stroke_add (painter->drawing, at);
+    stroke_end (painter->drawing);
+    painter_note_new (painter);
+  }
 }

@@ -151,6 +151,11 @@ void painter_trace (Painter *painter,
 /* Adds the mark of an item. */
 void painter_add_mark (Painter *painter, const SceneItem *item);
 
+/* Adds what lies under the marks of a layer: of a diamond, through which a site
+ * is seen, all that is inside it. */
+void
+painter_add_grounds (Painter *painter, const PaintOrder *order, uint32_t layer);
+
 /* Sketches (painter-sketch.c). Adds an item as bare shapes.
  *
  * Returns: false when strokes are to be made of it. */

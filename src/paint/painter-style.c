@@ -64,8 +64,10 @@ adapt_to_depth (const Painter *painter, const SceneItem *item, Style *style)
     return;
   if (depth == DEPTH_GROUND || depth == DEPTH_UNDER) {
     scale_style (style, GROUND_WIDTH);
-    if (item->object.kind == OBJECT_VERTEX)
+    if (item->object.kind == OBJECT_VERTEX || item->role == ROLE_PREVIEW_SITE) {
       style->radius *= GROUND_WIDTH;
+      style->halo_width *= GROUND_WIDTH;
+    }
     /* Seen from below the plane is glass: the hull is what one looks at. */
     if (depth == DEPTH_UNDER && item->shape == SHAPE_POLYGON) {
       style->fill.alpha *= UNDER_ALPHA;

@@ -221,15 +221,18 @@ add_mat (Painter *painter)
   }
 }
 
-/* Adds what is no item's own: the paraboloid, and the mat under the hull. */
+/* Adds what is no item's own: the paraboloid, the mat under the hull, and the
+ * grounds of marks. */
 static void
 add_bodies (Painter *painter, const PaintOrder *order, uint32_t layer)
 {
   const SceneDepth depth = paint_layer_depth (layer);
 
-  if (paint_layer_is_marks (layer))
-    return;
   painter->drawing->next = (StrokePlace){ INDEX_NONE, 0, layer };
+  if (paint_layer_is_marks (layer)) {
+    painter_add_grounds (painter, order, layer);
+    return;
+  }
   if (depth == DEPTH_CONE_FAR && painter->theme->has_mat)
     add_mat (painter);
   if (depth == DEPTH_SHEET_FAR || depth == DEPTH_SHEET_NEAR)
