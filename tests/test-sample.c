@@ -302,6 +302,42 @@ test_behind (void)
   sight_for_each_theme (check_behind);
 }
 
+/* Returns: along the middle, from the left end to the middle, how often ink
+ *          begins. */
+static guint
+count_inks (cairo_surface_t *surface, const Theme *theme)
+{
+  gboolean is_inked = FALSE;
+  guint n = 0;
+
+  for (int x = 0; x <= WIDTH / 2; x++) {
+    const double contrast = contrast_at (surface, theme, x, HEIGHT / 2);
+
+    n += !is_inked && contrast > 2.5;
+    is_inked = contrast > (is_inked ? 1.6 : 2.5);
+  }
+  return n;
+}
+
+/* Of a hull in the plane. */
+static void
+check_corner (const Theme *theme)
+{
+  cairo_surface_t *surface
+      = paint_sample (theme, ROLE_HORIZON_CORNER, SHAPE_MARK);
+  const guint n = count_inks (surface, theme);
+
+  if (n != 2)
+    sight_fault (theme, "corner", ROLE_HORIZON_CORNER, "sample", n);
+  cairo_surface_destroy (surface);
+}
+
+static void
+test_corner (void)
+{
+  sight_for_each_theme (check_corner);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -314,5 +350,7 @@ main (int argc, char **argv)
   g_test_add_func ("/sample/the-paraboloid-has-a-rim-and-wires", test_sheet);
   g_test_add_func ("/sample/sites-on-the-hull-are-before-and-behind-it",
                    test_behind);
+  g_test_add_func ("/sample/a-corner-of-the-horizon-is-a-ring-round-a-dot",
+                   test_corner);
   return g_test_run ();
 }

@@ -318,19 +318,37 @@ paint_line (cairo_t *cr,
   brush_line (cr, style);
 }
 
+/* A corner of the horizon is a ring round a site: made as small as the ring. */
+static void
+paint_corner_site (cairo_t *cr, const Style *ring, const Theme *theme, Pixel at)
+{
+  const SceneItem corner = { .shape = SHAPE_MARK,
+                             .role = ROLE_HORIZON_CORNER,
+                             .emphasis = EMPHASIS_NORMAL };
+  const SceneItem site
+      = { .shape = SHAPE_MARK, .role = ROLE_SITE, .emphasis = EMPHASIS_NORMAL };
+  Style dot = theme_style (theme, &site);
+
+  scale (&dot, ring->radius / theme_style (theme, &corner).radius);
+  brush_mark (cr, &dot, theme, at);
+}
+
 /* Two marks: the second lies behind the hull. */
 static void
 paint_marks (cairo_t *cr,
              const Style *style,
-             uint32_t n,
+             const SceneItem *item,
              const Theme *theme,
              const double size[2])
 {
+  const uint32_t n = item->n;
   const double share = size[0] / (n == 2 ? 2 : 1);
   const double y = size[1] / 2;
   Style behind;
 
   brush_mark (cr, style, theme, (Pixel){ share / 2, y });
+  if (item->role == ROLE_HORIZON_CORNER)
+    paint_corner_site (cr, style, theme, (Pixel){ share / 2, y });
   if (n != 2)
     return;
   behind = *style;
@@ -357,7 +375,7 @@ painter_swatch (cairo_t *cr,
   cairo_new_path (cr);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_ROUND);
   if (sample == SAMPLE_MARK)
-    paint_marks (cr, &style, item->n, theme, size);
+    paint_marks (cr, &style, item, theme, size);
   else if (sample == SAMPLE_TRIANGLE)
     paint_triangle (cr, item, theme, size);
   else if (item->role == ROLE_CELL && item->emphasis != EMPHASIS_LOUD)
