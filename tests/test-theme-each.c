@@ -213,6 +213,26 @@ check_quiet_diamond (const Theme *theme)
     sight_fault (theme, "quiet diamond", ROLE_CONE, "cone", value);
 }
 
+/* Black on black would be no area. */
+#define AREA_CONTRAST 1.5
+
+static void
+test_quiet_areas (void)
+{
+  static const Role roles[] = { ROLE_LOWER, ROLE_UPPER, ROLE_HULL_AREA };
+  const Theme *theme = theme_get (THEME_CONTRAST);
+
+  for (guint i = 0; i < G_N_ELEMENTS (roles); i++) {
+    const SceneItem item = { .role = roles[i], .emphasis = EMPHASIS_PALE };
+    const Colour fill
+        = sight_over (theme_style (theme, &item).fill, theme->background);
+
+    g_assert_cmpfloat (sight_contrast (fill, theme->background), >=,
+                       AREA_CONTRAST);
+    g_assert_cmpfloat (sight_contrast (fill, theme->text), >=, 4.5);
+  }
+}
+
 static void
 test_quiet_diamond (void)
 {
@@ -253,6 +273,8 @@ main (int argc, char **argv)
   g_test_add_func (
       "/theme-each/in-print-a-quiet-horizon-is-wider-than-new-edges",
       test_new_edges);
+  g_test_add_func ("/theme-each/in-high-contrast-quiet-areas-are-seen",
+                   test_quiet_areas);
   g_test_add_func ("/theme-each/a-quiet-diamond-stands-out-from-the-cone",
                    test_quiet_diamond);
   return g_test_run ();

@@ -28,10 +28,12 @@ theme_contrast (Theme *theme)
   theme->cell_lightness = 0.27;
   theme->cell_chroma = 0.04;
   theme->pale_cell = 0.6;
+  /* Less of it would be black on black. */
+  theme->pale_fill = 0.7;
   theme->styles[ROLE_LOWER].fill.alpha = 0.8;
   theme->styles[ROLE_UPPER].fill.alpha = 0.8;
   theme->styles[ROLE_CONE].fill.alpha = 0.5;
-  theme->styles[ROLE_HULL_AREA].fill.alpha = 0.4;
+  theme->styles[ROLE_HULL_AREA].fill.alpha = 0.8;
   theme->styles[ROLE_UPPER].hatch = HATCH_LEVEL;
   theme->styles[ROLE_UPPER].line = theme_colour (0x8fe09a, 1);
   theme->styles[ROLE_SHEET].line.alpha = 0.6;

@@ -24,6 +24,8 @@ theme_dark (Theme *theme)
   theme->far_casing = 0.8;
   theme->cell_lightness = 0.31;
   theme->cell_chroma = 0.03;
+  /* Paler, a lower facet would look like an upper one. */
+  theme->pale_fill = 0.5;
   theme->styles[ROLE_SIGN_RIGHT].fill = theme_colour (0x7d6415, 1);
   theme->styles[ROLE_LIFT_APEX].line = theme_colour (0xff9fd4, 1);
 }

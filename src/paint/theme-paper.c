@@ -37,9 +37,11 @@ theme_paper (Theme *theme)
   theme->styles[ROLE_SHEET].fill.alpha = 0.13;
   theme->styles[ROLE_CONE].fill.alpha = 0.6;
   theme->selected_area = theme_colour (0xffb3b3, 0.85);
-  theme->pale_fill = 0.11;
+  /* A green veil before the violet of the cone would be grey. */
+  theme->pale_fill = 0.08;
   theme->styles[ROLE_LOWER].fill.alpha = 1;
   theme->styles[ROLE_UPPER].fill.alpha = 1;
+  theme->styles[ROLE_HULL_AREA].fill.alpha = 0.5;
   theme->styles[ROLE_DELAUNAY_EDGE].width = 3.6;
   theme->styles[ROLE_FURTHEST_EDGE].width = 5;
   theme->styles[ROLE_CONE_EDGE].width = 5;

@@ -15,6 +15,7 @@
 
 #define QUIET_WIDTH 0.6
 #define PALE_CONE 0.8
+#define PALE_AREA 0.32
 
 #define BEHIND_RADIUS 0.7
 #define RING_GAP 3.2
@@ -126,10 +127,13 @@ fade_lines (Theme *theme)
                                   : fade (theme, theme->styles[role].line);
 }
 
-/* What is pale of the cone is still told from what stands. */
+/* What is pale of the cone is still told from what stands, and what is inside
+ * a hull in the plane from what is outside. */
 static double
 pale_fill (const Theme *theme, Role role)
 {
+  if (role == ROLE_HULL_AREA)
+    return fmax (PALE_AREA, theme->pale_fill);
   if (role == ROLE_CONE || role == ROLE_CONE_UPPER)
     return fmax (PALE_CONE, theme->pale_fill);
   return theme_has_hue (role) ? theme->pale_cell : theme->pale_fill;
@@ -144,7 +148,8 @@ make_pale (const Theme *theme, Role role, Style *style)
   /* What is inside a mark or a hull in the plane keeps off what lies under
    * it. */
   if (role == ROLE_HULL_AREA)
-    style->fill = colour_mix (theme->background, style->fill, theme->pale_fill);
+    style->fill
+        = colour_mix (theme->background, style->fill, pale_fill (theme, role));
   else if (style->mark == MARK_NONE)
     style->fill.alpha *= pale_fill (theme, role);
   style->width *= width;
