@@ -1,4 +1,5 @@
 /* Marks in a picture. */
+#include "drawing.h"
 #include "painter.h"
 #include "sight.h"
 #include "stage.h"
@@ -88,11 +89,59 @@ test_grounds (void)
   g_assert_cmpuint (n, >=, N_THEMES);
 }
 
+/* Returns: how many marks of a drawing are no item's own, less those of
+ *          vertices that die. */
+static int
+count_lone_grounds (const Stage *stage, Names *names)
+{
+  Drawing *drawing = drawing_new (names);
+  int n = 0;
+
+  drawing_set (drawing, &stage->space, &stage->on_space,
+               theme_get (THEME_LIGHT));
+  for (guint i = 0; i < drawing->n_strokes; i++) {
+    const Stroke *stroke = &drawing->strokes[i];
+
+    if (stroke->kind != STROKE_MARK)
+      continue;
+    n += stroke->place.item == INDEX_NONE;
+    n -= stroke->place.item != INDEX_NONE
+         && stage->space.items[stroke->place.item].role
+                == ROLE_VORONOI_VERTEX_DYING;
+  }
+  drawing_free (drawing);
+  return n;
+}
+
+/* On the ground of space the vertices of a crowd are too small to be seen. */
+static void
+test_crowd (void)
+{
+  Names *names = names_new ();
+  guint n_dying = 0;
+
+  for (guint round = 4; round <= 64; round *= 2) {
+    Fixture *fixture = fixture_new (FAMILY_RANDOM, 5, 1000, ORDER_FURTHEST);
+    uint32_t step;
+    Stage *stage;
+
+    g_assert_true (timeline_find (fixture->trace, (Place){ round, PHASE_CONE },
+                                  false, &step));
+    stage = stage_take (fixture, step);
+    n_dying += stage_count (&stage->space, ROLE_VORONOI_VERTEX_DYING);
+    g_assert_cmpint (count_lone_grounds (stage, names), ==, 0);
+    stage_free (stage);
+  }
+  g_assert_cmpuint (n_dying, >, 4);
+  names_free (names);
+}
+
 int
 main (int argc, char **argv)
 {
   g_test_init (&argc, &argv, NULL);
   g_test_add_func ("/painter-mark/no-line-is-seen-inside-a-vertex",
                    test_grounds);
+  g_test_add_func ("/painter-mark/no-vertex-has-a-ground-alone", test_crowd);
   return g_test_run ();
 }

@@ -80,13 +80,15 @@ painter_add_grounds (Painter *painter, const PaintOrder *order, uint32_t layer)
     const SceneItem *item = &painter->scene->items[order->items[i]];
 
     if (item->role != ROLE_VORONOI_VERTEX_DYING
+        || painter_has_none (painter, item)
         || painter_draw_again (painter,
                                painter_key (painter, item, STROKE_REGION)))
       continue;
     if (style == INDEX_NONE || fade < item->fade || fade > item->fade)
       style = add_ground_style (painter, item);
     fade = item->fade;
-    if (!find_middle (painter, item, &at))
+    if (style_is_unseen (&painter->drawing->styles[style], item)
+        || !find_middle (painter, item, &at))
       continue;
     stroke_begin (painter->drawing, STROKE_MARK, style);
     stroke_add (painter->drawing, at);
