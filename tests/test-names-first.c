@@ -254,6 +254,50 @@ test_blunt_triangle (void)
   site_set_free (set);
 }
 
+static gboolean
+is_named (const Scene *scene, uint32_t facet)
+{
+  for (uint32_t i = 0; i < scene->n_items; i++)
+    if (scene->items[i].role == ROLE_FACET_NAME
+        && scene->items[i].object.number == facet)
+      return TRUE;
+  return FALSE;
+}
+
+static void
+judge_beyond (const Shown *shown, const Moment *moment, gpointer fixture)
+{
+  const Trace *trace = ((const Fixture *)fixture)->trace;
+  const uint32_t facet = trace_event (trace, moment->frame->step - 1).facet;
+  const gboolean is_lower = trace->facets[facet].facing == FACING_LOWER;
+
+  g_assert_true (is_named (&shown->scene, facet)
+                 == (moment->is_space ? !is_lower : is_lower));
+  judge_all (shown, moment, fixture);
+}
+
+/* A sentence tells which facet is beyond the horizon: it has its name where it
+ * is not seen through others. */
+static void
+test_beyond_has_name (void)
+{
+  g_autoptr (Fixture) fixture
+      = fixture_new (FAMILY_RANDOM, 7, 8, ORDER_FURTHEST);
+  guint n_judged = 0;
+
+  for (uint32_t step = 1; step <= fixture->trace->n_events; step++) {
+    Frame frame;
+
+    if (trace_event (fixture->trace, step - 1).kind != EVENT_HORIZON)
+      continue;
+    frame_init (&frame, fixture->trace, step);
+    for_each_picture (&(Moment){ .frame = &frame }, judge_beyond, fixture);
+    frame_clear (&frame);
+    n_judged++;
+  }
+  g_assert_cmpuint (n_judged, >, 10);
+}
+
 int
 main (int argc, char **argv)
 {
@@ -267,5 +311,7 @@ main (int argc, char **argv)
                    test_answers_stand_alone);
   g_test_add_func ("/names/no-facet-is-named-where-a-corner-is",
                    test_blunt_triangle);
+  g_test_add_func ("/names/what-is-beyond-the-horizon-has-its-name",
+                   test_beyond_has_name);
   return g_test_run ();
 }

@@ -89,8 +89,7 @@ facet_of_step (const SceneBuilder *builder)
 {
   const Event *event = builder->event;
 
-  return event != NULL && event->kind != EVENT_HORIZON ? event->facet
-                                                       : INDEX_NONE;
+  return event != NULL ? event->facet : INDEX_NONE;
 }
 
 /* Whether the cone stands on a site, or the sentence of the step speaks of a
@@ -132,10 +131,22 @@ name_facet (SceneBuilder *builder, uint32_t facet, bool lifted)
     add_facet_name (builder, facet, lifted);
 }
 
+/* A lower facet beyond the horizon is quiet, and seen through those that are
+ * not: in space its name would seem to be that of one of them. */
+static bool
+is_beyond (const SceneBuilder *builder)
+{
+  const Event *event = builder->event;
+
+  return event != NULL && event->kind == EVENT_HORIZON
+         && builder->frame->trace->facets[event->facet].facing == FACING_LOWER;
+}
+
 void
 scene_add_step_name (SceneBuilder *builder, bool lifted)
 {
-  if (!lifted || scene_has_layer (builder, LAYER_HULL))
+  if (!lifted
+      || (scene_has_layer (builder, LAYER_HULL) && !is_beyond (builder)))
     name_facet (builder, facet_of_step (builder), lifted);
 }
 
