@@ -297,6 +297,43 @@ names_fault_of (const Shown *shown,
   return is_cut_off (shown, box, at) ? "lies beyond a heavy line" : NULL;
 }
 
+/* Whether a place lies on the same side of all lines of a triangle. */
+static gboolean
+is_in_triangle (Pixel at, const Pixel corners[3])
+{
+  guint n_left = 0;
+
+  for (guint i = 0; i < 3; i++) {
+    const Pixel a = corners[i], b = corners[(i + 1) % 3];
+
+    n_left += (b.x - a.x) * (at.y - a.y) > (b.y - a.y) * (at.x - a.x);
+  }
+  return n_left % 3 == 0;
+}
+
+/* Whether a place lies in a facet that is drawn, or in none that is. */
+static gboolean
+is_in_facet (const Shown *shown, Object facet, Pixel at)
+{
+  const Scene *scene = &shown->scene;
+
+  for (uint32_t i = 0; i < scene->n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+    Pixel corners[3];
+
+    if (item->shape != SHAPE_POLYGON || item->n != 3
+        || !object_equal (item->object, facet)
+        || (scene->is_space && item->pass == PASS_GROUND))
+      continue;
+    for (guint k = 0; k < 3; k++)
+      if (!clip_point (&shown->projection, scene->points[item->first + k],
+                       &corners[k]))
+        return TRUE;
+    return is_in_triangle (at, corners);
+  }
+  return TRUE;
+}
+
 /* The name of a facet stands in it, or a line leads there; in a crowd, where
  * facets are smaller than names, it is near. */
 static void
@@ -307,7 +344,12 @@ judge_facet (const Shown *shown, uint32_t name, const char *what)
   const Pixel at = names_pixel_of (shown, item);
   const PixelBox box = names_letters_of (placed);
 
-  if (shown->drawing->size >= CROWDED && is_cut_off (shown, &box, at)
+  const Pixel middle
+      = { (box.left + box.right) / 2, (box.top + box.bottom) / 2 };
+
+  if (shown->drawing->size >= CROWDED
+      && (is_cut_off (shown, &box, at)
+          || !is_in_facet (shown, item->object, middle))
       && !is_led (shown, placed->item, &box, at))
     g_error ("%s: %s at %g, %g lies outside its facet, in %g … %g, %g … %g",
              what, item->label, at.x, at.y, box.left, box.right, box.top,

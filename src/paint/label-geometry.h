@@ -41,6 +41,28 @@ label_segments_cross (Pixel a, Pixel b, Pixel c, Pixel d)
          && (label_turn (c, d, a) > 0) != (label_turn (c, d, b) > 0);
 }
 
+/* How far a box reaches out of a triangle, over the side that it is furthest
+ * from being within. */
+static inline double
+label_outside (const PixelBox *box, const Pixel corners[3])
+{
+  const double way = label_turn (corners[0], corners[1], corners[2]);
+  double most = -HUGE_VAL;
+
+  for (int i = 0; i < 3; i++) {
+    const Pixel a = corners[i], b = corners[(i + 1) % 3];
+    /* The outer normal. */
+    const double x = way > 0 ? b.y - a.y : a.y - b.y;
+    const double y = way > 0 ? a.x - b.x : b.x - a.x;
+    const double out = x * ((x > 0 ? box->right : box->left) - a.x)
+                       + y * ((y > 0 ? box->bottom : box->top) - a.y);
+    const double length = hypot (x, y);
+
+    most = MAX (most, length > 0 ? out / length : 0);
+  }
+  return most;
+}
+
 /* From a place to a segment. */
 static inline double
 label_distance_from (Pixel at, const Pixel ends[2])

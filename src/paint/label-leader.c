@@ -9,6 +9,7 @@
 #define COST_LEADERS 5000.0 /* two that meet exchange their names */
 #define COST_ACROSS 120.0   /* a leader across a heavy line */
 #define COST_SHORT 40.0     /* a leader that is hardly seen */
+#define COST_UPRIGHT 60.0   /* one like a lift, or a line of a hatch */
 
 #define SHORT_GAP 8.0
 
@@ -28,6 +29,10 @@
 #define SEEN_INK 1.5
 #define ALONG 0.25
 #define ALONG_PX 2.5
+
+/* A leader is upright when it goes to a side by no more than this part of its
+ * way. */
+#define UPRIGHT 0.1
 
 bool
 label_leader (const Label *label, const PixelBox *box, Pixel ends[2])
@@ -60,6 +65,13 @@ runs_along (const FieldLine *line, const Pixel leader[2])
   return line->ink >= SEEN_INK
          && label_distance_from (leader[1], line->ends) < off
          && label_distance_from (middle, line->ends) < MAX (off / 2, ALONG_PX);
+}
+
+static bool
+is_upright (const Pixel leader[2])
+{
+  return fabs (leader[1].x - leader[0].x)
+         < UPRIGHT * fabs (leader[1].y - leader[0].y);
 }
 
 /* Whether a leader would seem to begin at this mark. */
@@ -149,6 +161,8 @@ label_leader_fault (const LabelNear *near,
     trial->cost += COST_SHORT;
   if (!label_leader (label, &trial->box, ends))
     fault += COST_LEADER;
+  if (is_upright (ends))
+    trial->cost += COST_UPRIGHT;
   fault += fault_beside_marks (near, label, trial, ends);
   for (guint i = 0; i < near->names->len && !(fault > 0); i++)
     if (label_segment_meets (ends,

@@ -25,6 +25,8 @@ static const double gaps[N_GAPS] = { 1.5, 5, 8.5, 12, 18, 26, 36, 44 };
 #define COST_UNDER 150.0
 #define COST_MISTAKEN 110.0
 #define COST_BETWEEN 90.0
+#define COST_OUT 60.0    /* the name of a facet is not within it, */
+#define COST_UNLED 300.0 /* and has no leader */
 
 /* Another mark is this many times as far from a name as its own, and so many
  * px more; further away there is a leader anyway. */
@@ -35,8 +37,16 @@ static const double gaps[N_GAPS] = { 1.5, 5, 8.5, 12, 18, 26, 36, 44 };
 /* So many times further is a mark that a name is on a line with. */
 #define LEVEL 2.0
 
+/* So many times further the mark of another is from the name of one that lies
+ * behind: it would seem to be its own. */
+#define NEARER_BEHIND 1.6
+
+/* So far the name of a facet may reach out of it; the same where it stays. */
+#define OUT_PX 0.5
+#define OUT_HELD_PX 4.0
+
 /* Less than that, this part of it, will do for a name to stay where it is. */
-#define HELD 0.75
+#define HELD 0.7
 
 /* Names are painted on whole pixels: this far from where they are placed, px.
  */
@@ -79,7 +89,8 @@ far_enough (const Label *label, double gap)
 double
 label_reach (const Label *label, double gap)
 {
-  return label->reach + gap + far_enough (label, gap);
+  return label->reach + gap
+         + far_enough (label, gap) * (label->is_behind ? NEARER_BEHIND : 1);
 }
 
 /* Directions fan out from the upper right to both sides.
@@ -227,8 +238,10 @@ find_marks (const LabelNear *near,
             LabelPatience patience,
             LabelTrial *trial)
 {
-  const double nearest
-      = far_enough (label, trial->gap) * (trial->is_held ? HELD : 1);
+  const double nearest = far_enough (label, trial->gap)
+                         * (trial->is_held     ? HELD
+                            : label->is_behind ? NEARER_BEHIND
+                                               : 1);
   const bool may_be_mistaken = !label->is_number && !label->is_centred;
 
   for (guint i = 0; i < near->marks->len && is_borne (trial, patience); i++) {
@@ -285,6 +298,16 @@ find_lines (const LabelNear *near, const Label *label, LabelTrial *trial)
       return;
     }
   }
+}
+
+/* Whether the name of a facet is on others too: a leader tells whose it is. */
+static void
+find_facet (const Label *label, LabelTrial *trial)
+{
+  const double room = trial->is_held ? OUT_HELD_PX : OUT_PX;
+
+  if (label->is_of_facet && label_outside (&trial->box, label->corners) > room)
+    trial->doubt += COST_OUT;
 }
 
 /* The length of a line in a box, px. */
@@ -356,6 +379,26 @@ cost_of_company (const LabelNear *near,
   return cost;
 }
 
+/* The middle of a name that reaches out of its facet may be within: then it is
+ * better there than with a leader that is none. */
+static void
+lead (const LabelNear *near, const Label *label, LabelTrial *trial)
+{
+  const PixelBox *box = &trial->box;
+  const float x = (box->left + box->right) / 2;
+  const float y = (box->top + box->bottom) / 2;
+  const bool is_only_out = label->is_of_facet && !(trial->doubt > COST_OUT);
+  const double fault = label_leader_fault (near, label, trial);
+
+  if (fault > 0 && is_only_out
+      && label_outside (&(PixelBox){ x, y, x, y }, label->corners) < 0) {
+    trial->doubt = 0;
+    trial->cost += COST_UNLED;
+  } else {
+    trial->fault += fault;
+  }
+}
+
 void
 label_trial_judge (LabelTrial *trial,
                    const Label *label,
@@ -372,8 +415,10 @@ label_trial_judge (LabelTrial *trial,
     find_marks (near, label, patience, trial);
   if (is_borne (trial, patience))
     find_lines (near, label, trial);
+  if (is_borne (trial, patience))
+    find_facet (label, trial);
   if (is_borne (trial, patience) && label_trial_is_led (trial, label))
-    trial->fault += label_leader_fault (near, label, trial);
+    lead (near, label, trial);
   if (!is_borne (trial, patience)) {
     trial->cost = DBL_MAX;
     return;

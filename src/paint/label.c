@@ -21,6 +21,10 @@
 /* Other leaders pass the middle of a facet at this distance, px. */
 #define MIDDLE_PX 8.0
 
+/* A line that passes a mark at more than this part of its radius is beside it.
+ */
+#define PASSES 0.7
+
 /* What a label does for a place. */
 typedef struct Manner {
   int n_gaps;   /* it looks for one in so many of them */
@@ -113,7 +117,8 @@ own_radius (const LabelNear *near, const Label *label)
   return radius;
 }
 
-/* Lines that run into the label's own mark lie between it and nothing. */
+/* Lines that run into the label's own mark, or through the midst of it, lie
+ * between it and nothing. */
 static void
 lighten_own (LabelNear *near, const Label *label)
 {
@@ -128,10 +133,11 @@ lighten_own (LabelNear *near, const Label *label)
                          + (label->at.y - line->ends[0].y) * dy;
     const double part = length > 0 ? CLAMP (along / length, 0, 1) : 0;
 
-    if (line->is_heavy
-        && hypot (line->ends[0].x + part * dx - label->at.x,
-                  line->ends[0].y + part * dy - label->at.y)
-               <= radius + (label->is_centred ? line->reach : 0))
+    const double off = hypot (line->ends[0].x + part * dx - label->at.x,
+                              line->ends[0].y + part * dy - label->at.y);
+    const double most = part > 0 && part < 1 ? PASSES * radius : radius;
+
+    if (line->is_heavy && off <= most + (label->is_centred ? line->reach : 0))
       line->is_heavy = false;
   }
 }
@@ -237,6 +243,7 @@ settle (LabelSheet *sheet, const Label *label)
 typedef enum Attempt {
   ATTEMPT_TO_STAY,
   ATTEMPT_TO_FIND,
+  ATTEMPT_TO_FIND_BEHIND,
   ATTEMPT_TO_BE_LED,
 } Attempt;
 
@@ -245,9 +252,12 @@ typedef enum Attempt {
 static const Manner *
 manner_of (const Label *label, Attempt attempt)
 {
-  if (attempt != ATTEMPT_TO_FIND && label->need == LABEL_MAY_BE_LED)
+  const bool may_be_led
+      = attempt == ATTEMPT_TO_STAY || attempt == ATTEMPT_TO_BE_LED;
+
+  if (may_be_led && label->need == LABEL_MAY_BE_LED)
     return &led_manner;
-  if (attempt != ATTEMPT_TO_FIND && label->need == LABEL_SHOULD)
+  if (may_be_led && label->need == LABEL_SHOULD)
     return &led_far_manner;
   return label->need == LABEL_PLAIN && !label->is_centred
              ? &plain_manner
@@ -281,9 +291,11 @@ rank_of (const Label *label)
 }
 
 static bool
-can_be_led (const Label *label)
+is_tried (const Label *label, Attempt attempt)
 {
-  return label->need == LABEL_MAY_BE_LED || label->need == LABEL_SHOULD;
+  if (attempt == ATTEMPT_TO_BE_LED)
+    return label->need == LABEL_MAY_BE_LED || label->need == LABEL_SHOULD;
+  return label->is_behind == (attempt == ATTEMPT_TO_FIND_BEHIND);
 }
 
 static void
@@ -295,7 +307,8 @@ stay_all (LabelSheet *sheet, Label *labels, uint32_t n_labels)
         try_to_place (sheet, &labels[i], ATTEMPT_TO_STAY);
 }
 
-/* Of one rank a name has a leader where none of the others needs the place. */
+/* Of one rank those that the hull hides come after those that it does not, and
+ * a name has a leader where none of the others needs the place. */
 static void
 find_all (LabelSheet *sheet, Label *labels, uint32_t n_labels)
 {
@@ -304,7 +317,7 @@ find_all (LabelSheet *sheet, Label *labels, uint32_t n_labels)
          attempt++)
       for (uint32_t i = 0; i < n_labels; i++)
         if (!labels[i].is_settled && rank_of (&labels[i]) == rank
-            && (attempt == ATTEMPT_TO_FIND || can_be_led (&labels[i])))
+            && is_tried (&labels[i], attempt))
           try_to_place (sheet, &labels[i], attempt);
 }
 

@@ -49,6 +49,9 @@ typedef struct Label {
   double width, height;
   LabelNeed need;
   bool is_centred;  /* best right on its mark */
+  bool is_behind;   /* its mark is hidden, and hardly seen beside others */
+  bool is_of_facet; /* centred in a facet, of which it stays within: */
+  Pixel corners[3]; /* its corners */
   bool is_number;   /* of a line, not the name of a mark: none takes it for
                        that of another */
   uint32_t item;    /* for the caller */

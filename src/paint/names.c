@@ -197,7 +197,7 @@ names_trace (Names *names, uint32_t number, cairo_t *cr, Pixel at)
 static bool
 has_plate (const Names *names, NameFace face)
 {
-  return face == NAME_ANSWER || (face == NAME_FACET && names->has_plates);
+  return face == NAME_ANSWER || names->has_plates;
 }
 
 void

@@ -82,6 +82,36 @@ measure_mark (Painter *painter, const SceneItem *item, Label *label)
   label->reach = brush_mark_reach (&style);
 }
 
+/* The facet itself, not its triangle in the plane below. */
+static bool
+is_facet_of (const SceneItem *item, const SceneItem *name, bool is_space)
+{
+  return item->shape == SHAPE_POLYGON && item->n == 3
+         && object_equal (item->object, name->object)
+         && !(is_space && item->pass == PASS_GROUND);
+}
+
+/* A facet that is out of sight, or reaches behind the eye, has none. */
+static void
+find_corners (const Painter *painter, const SceneItem *name, Label *label)
+{
+  const Scene *scene = painter->scene;
+
+  for (uint32_t i = 0; i < scene->n_items; i++) {
+    const SceneItem *item = &scene->items[i];
+
+    if (!is_facet_of (item, name, scene->is_space))
+      continue;
+    label->is_of_facet = true;
+    for (uint32_t k = 0; k < 3; k++)
+      label->is_of_facet
+          = clip_point (painter->projection, scene->points[item->first + k],
+                        &label->corners[k])
+            && label->is_of_facet;
+    return;
+  }
+}
+
 void
 painter_want (Painter *painter, Wanted *wanted, uint32_t number)
 {
@@ -104,6 +134,9 @@ painter_want (Painter *painter, Wanted *wanted, uint32_t number)
   measure_mark (painter, item, &label);
   label.is_centred = is_facet_name (item);
   label.is_number = item->role == ROLE_POWER;
+  label.is_behind = painter_hides (painter, item);
+  if (is_facet_name (item) && item->object.kind == OBJECT_FACET)
+    find_corners (painter, item, &label);
   g_array_append_val (wanted->labels, label);
   g_array_append_val (wanted->names, name);
 }
@@ -209,6 +242,7 @@ painter_set_needs (const Painter *painter,
       label->need = is_crowd ? LABEL_MUST_NEAR : LABEL_MUST;
     else
       label->need = item->is_corner ? LABEL_SHOULD : need;
+    label->is_behind = label->is_behind && label->need < LABEL_SHOULD;
   }
 }
 

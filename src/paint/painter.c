@@ -260,7 +260,6 @@ add_stock (Painter *painter)
       add_layer (painter, &order, layer);
   }
   paint_order_clear (&order);
-  painter->hidden = NULL;
   painter->depths = NULL;
 }
 
@@ -314,6 +313,7 @@ set_stock (Painter *painter)
   add_stock (painter);
   if (painter->scene->stock.n_labels > 0)
     painter_add_names (painter);
+  painter->hidden = NULL;
   painter_compare_rest (painter);
   free (painter->corners);
   return painter->before != NULL;

@@ -79,7 +79,7 @@ typedef struct Theme {
   double far_casing; /* of sites behind the hull */
   bool has_mat;      /* pure hues: neither the sheet nor far facets may shine
                         through facets and change them */
-  bool has_plates;   /* hatches are all over: names of facets lie on plates */
+  bool has_plates;   /* hatches and lines are all over: names lie on plates */
   Style styles[N_ROLES];
   Colour pale_lines[N_ROLES]; /* as far from the ground as must be */
 } Theme;
