@@ -186,6 +186,62 @@ test_phases_end_together (void)
   }
 }
 
+static const char *
+line_text (Session *session)
+{
+  const guint line = session_get_line (session);
+  guint n_lines;
+  const PseudocodeLine *lines = session_get_lines (session, &n_lines);
+
+  if (line == INDEX_NONE)
+    return "";
+  g_assert_cmpuint (line, <, n_lines);
+  return lines[line].text;
+}
+
+/* A hand over has two lines, and what is said of it is that of the line. */
+static void
+test_a_line_is_what_is_being_done (void)
+{
+  g_autoptr (Session) session = session_of (TEN);
+  const char *const views[] = { "lifts", "compare", "planar" };
+
+  for (guint i = 0; i < G_N_ELEMENTS (views); i++) {
+    guint n_retiring = 0;
+
+    run (session, "view", views[i]);
+    for (guint step = 0; step <= session_get_n_steps (session); step++) {
+      session_set_step (session, step);
+      g_assert_cmpint (session_is_retiring (session), ==,
+                       g_str_equal (line_text (session), "retire V"));
+      n_retiring += session_is_retiring (session);
+    }
+    g_assert_cmpuint (n_retiring, >, 0);
+  }
+}
+
+/* One may have handed over what the other had not to. */
+static void
+test_the_line_is_as_far_as_either_run (void)
+{
+  g_autoptr (Session) session = session_of (TEN);
+  guint n_further = 0;
+
+  run (session, "compare", "furthest input");
+  for (guint step = 0; step <= session_get_n_steps (session); step++) {
+    guint lines[2], line;
+
+    session_set_step (session, step);
+    line = session_get_line (session);
+    lines[0] = pseudocode_line (session_get_trace (session), step);
+    lines[1] = pseudocode_line (session_get_other_trace (session),
+                                session_get_other_step (session));
+    g_assert_cmpuint (line, ==, MAX (lines[0], lines[1]));
+    n_further += line != lines[0];
+  }
+  g_assert_cmpuint (n_further, >, 0);
+}
+
 /* 6 - 12/k at k = 5 is 18/5, at k = 6 it is 4. */
 static void
 test_the_cone_is_compared_with_that_of_a_random_order (void)
@@ -406,6 +462,10 @@ main (int argc, char **argv)
                    test_an_unknown_view_is_refused);
   g_test_add_func ("/exhibit/two-runs-go-in-step", test_two_runs_go_in_step);
   g_test_add_func ("/exhibit/phases-end-together", test_phases_end_together);
+  g_test_add_func ("/exhibit/a-line-is-what-is-being-done",
+                   test_a_line_is_what_is_being_done);
+  g_test_add_func ("/exhibit/the-line-is-as-far-as-either-run",
+                   test_the_line_is_as_far_as_either_run);
   g_test_add_func ("/exhibit/the-cone-is-compared-with-that-of-a-random-order",
                    test_the_cone_is_compared_with_that_of_a_random_order);
   g_test_add_func ("/exhibit/flat-sites-and-duplicates-can-be-compared",

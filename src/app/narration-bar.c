@@ -39,13 +39,24 @@ phase_text (Phase phase)
   return "";
 }
 
+/* There the time line has the tick of the round that comes next. */
+static gboolean
+is_end_of_round (Session *session, guint step, Place place)
+{
+  guint end;
+
+  return place.phase == PHASE_HAND_OVER
+         && session_find_step (session, place, FALSE, &end) && end == step;
+}
+
 static char *
 place_text (Session *session)
 {
   const guint n_events = session_get_n_steps (session);
   const guint step = session_get_step (session);
   const Place place = session_get_place (session);
-  const char *phase = phase_text (place.phase);
+  const char *phase
+      = session_is_retiring (session) ? _ ("retire") : phase_text (place.phase);
 
   /* What stands still has no time, and where there are no sites there is
    * nothing that could be complete. */
@@ -53,6 +64,9 @@ place_text (Session *session)
     return g_strdup ("");
   if (place.round == 0 || place.phase == PHASE_COMPLETE)
     return g_strdup_printf (_ ("event %u of %u · %s"), step, n_events, phase);
+  if (is_end_of_round (session, step, place))
+    return g_strdup_printf (_ ("event %u of %u · end of round %u"), step,
+                            n_events, place.round);
   return g_strdup_printf (_ ("event %u of %u · round %u, %s"), step, n_events,
                           place.round, phase);
 }

@@ -204,6 +204,28 @@ session_get_n_rounds (Session *session)
   return course_place (course, course->n_steps).round;
 }
 
+static gboolean
+retires (const Trace *trace, guint step)
+{
+  return step > 0 && trace_event (trace, step - 1).kind == EVENT_RETIRE;
+}
+
+gboolean
+session_is_retiring (Session *session)
+{
+  const guint step = session_get_step (session);
+  const PlanarFrame *planar;
+
+  if (session_get_exhibit_kind (session) == EXHIBIT_PLANAR && step > 0) {
+    planar = exhibit_planar_frame (session_get_exhibit (session), step);
+    return planar->trace->events[step - 1].kind == PLANAR_RETIRE;
+  }
+  return session_shows_lifts (session) && retires (session->run->trace, step)
+         && (session->exhibit_kind != EXHIBIT_COMPARE
+             || retires (session_get_other_trace (session),
+                         session_get_other_step (session)));
+}
+
 guint
 session_step_after (Session *session, Grain grain)
 {
@@ -246,12 +268,38 @@ session_get_listing_title (Session *session)
              : exhibit_listing_title (session_get_exhibit (session));
 }
 
+static guint
+run_line (Session *session, const Trace *trace, guint step)
+{
+  return listing_line (session->listing, trace, step);
+}
+
+/* A phase may have two lines. Of two runs in one phase the one that is further
+ * says where both have come to. */
+static guint
+compared_line (Session *session)
+{
+  const Trace *trace = session->run->trace;
+  const Trace *other = session_get_other_trace (session);
+  const guint step = session->step;
+  const guint other_step = session_get_other_step (session);
+  const guint line = run_line (session, trace, step);
+  const guint other_line = run_line (session, other, other_step);
+
+  return timeline_place (trace, step).phase
+                     == timeline_place (other, other_step).phase
+                 && line != INDEX_NONE && other_line != INDEX_NONE
+             ? MAX (line, other_line)
+             : line;
+}
+
 guint
 session_get_line (Session *session)
 {
+  if (session->exhibit_kind == EXHIBIT_COMPARE)
+    return compared_line (session);
   return session_shows_lifts (session)
-             ? listing_line (session->listing, session->run->trace,
-                             session->step)
+             ? run_line (session, session->run->trace, session->step)
              : exhibit_line (session_get_exhibit (session),
                              session->exhibit_step);
 }

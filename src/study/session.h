@@ -173,6 +173,7 @@ const Frame *session_get_frame (Session *session);
 Place session_get_place (Session *session);
 Place session_get_place_at (Session *session, guint step);
 guint session_get_n_rounds (Session *session);
+gboolean session_is_retiring (Session *session); /* begins a hand over */
 StepSize session_get_step_size (Session *session);
 void session_set_step_size (Session *session, StepSize size);
 
