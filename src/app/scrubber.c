@@ -212,6 +212,21 @@ trough_width (Scrubber *scrubber)
   return MAX (scrubber->width - padding.left - padding.right, 0);
 }
 
+/* What the marks are that the time line has now.
+ *
+ * Returns: NULL where it has but its ends. */
+static const char *
+explain_marks (Session *session)
+{
+  const gboolean has_rounds = session_get_n_rounds (session) > 0;
+
+  if (session_get_n_stops (session) > 0)
+    return has_rounds ? _ ("Dots: stops of the lesson. "
+                           "Ticks: where rounds begin.")
+                      : _ ("Dots: stops of the lesson.");
+  return has_rounds ? _ ("Ticks: where rounds begin.") : NULL;
+}
+
 static void
 make_marks (Scrubber *scrubber)
 {
@@ -222,6 +237,7 @@ make_marks (Scrubber *scrubber)
       = { .scale = GTK_WIDGET (scrubber),
           .ticks = ticks,
           .px_per_step = trough_width (scrubber) / (double)MAX (n_steps, 1) };
+  const char *marks;
   double start_px;
 
   g_array_set_clear_func (ticks, clear_tick);
@@ -231,6 +247,9 @@ make_marks (Scrubber *scrubber)
   add_rounds (&walk, session);
   add_marks (&walk, start_px);
   add_stops (scrubber);
+  marks = explain_marks (session);
+  atk_object_set_description (gtk_widget_get_accessible (GTK_WIDGET (scrubber)),
+                              marks != NULL ? marks : "");
 }
 
 static gboolean
@@ -338,7 +357,7 @@ scrubber_set_session (Scrubber *scrubber, Session *session)
   make_marks (scrubber);
 }
 
-/* Tooltip: the stop or the round that is under the pointer. */
+/* Tooltip: the stop or the round that is under the pointer, and the marks. */
 
 /* Returns: the stop whose dot is within its reach of @x, or G_MAXUINT. */
 static guint
@@ -372,24 +391,35 @@ tooltip_at (Scrubber *scrubber, double x, double px_per_step)
   return g_strdup_printf (_ ("Event %u, round %u"), step, place.round);
 }
 
+/* Where nobody points, the marks alone are told of. */
+static char *
+tooltip_text (const char *place, const char *marks)
+{
+  if (place == NULL || marks == NULL)
+    return g_strdup (place != NULL ? place : marks);
+  return g_strdup_printf ("%s\n%s", place, marks);
+}
+
 static gboolean
 scrubber_query_tooltip (
     GtkWidget *widget, int x, int y, gboolean is_keyboard, GtkTooltip *tooltip)
 {
   Scrubber *scrubber = HULL2VD_SCRUBBER (widget);
-  g_autofree char *text = NULL;
+  g_autofree char *place = NULL, *text = NULL;
   GdkRectangle trough;
   double px_per_step;
 
   (void)y;
-  if (is_keyboard || scrubber->session == NULL)
+  if (scrubber->session == NULL)
     return FALSE;
   gtk_range_get_range_rect (GTK_RANGE (scrubber), &trough);
   px_per_step
       = trough.width / (double)MAX (1, session_get_n_steps (scrubber->session));
-  text = tooltip_at (scrubber, x - trough.x, px_per_step);
+  if (!is_keyboard)
+    place = tooltip_at (scrubber, x - trough.x, px_per_step);
+  text = tooltip_text (place, explain_marks (scrubber->session));
   gtk_tooltip_set_text (tooltip, text);
-  return TRUE;
+  return text != NULL;
 }
 
 /* Life */

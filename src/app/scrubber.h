@@ -1,5 +1,5 @@
-/* The time line: a scale from the first to the last step, with ticks at the
- * ends of rounds and dots at the stops of the lesson. */
+/* The time line: a scale from the first to the last step, with ticks where
+ * rounds begin and dots at the stops of the lesson. */
 #ifndef SCRUBBER_H
 #define SCRUBBER_H
 
