@@ -44,20 +44,20 @@ mark (CodePanel *panel, guint line, gboolean is_current)
   atk_object_set_description (accessible, is_current ? _ ("current line") : "");
 }
 
-/* What the rest of a line hangs behind where it takes several rows.
+/* What the rest of a line hangs behind where it takes several rows, so that
+ * none of them looks like a line of its own.
  *
- * Returns: how many bytes are its number, "7: ", or what it sets, "V ← ". */
+ * Returns: how many bytes are its number, "7: ", what it sets, "V ← ", or else
+ *          its first word. */
 static gsize
 marker_length (const char *text)
 {
   const char *arrow = g_utf8_next_char (text);
-  const gsize n_digits = strspn (text, "0123456789");
+  const char *space = strchr (text, ' ');
 
   if (g_str_has_prefix (arrow, ARROW))
     return (gsize)(arrow - text) + strlen (ARROW);
-  return n_digits > 0 && g_str_has_prefix (text + n_digits, ": ")
-             ? n_digits + strlen (": ")
-             : 0;
+  return space != NULL ? (gsize)(space - text) + 1 : 0;
 }
 
 static void
