@@ -94,6 +94,57 @@ on_fold (Columns *columns, gboolean is_folded, Hull2vdWindow *window)
   update_columns (window);
 }
 
+static gboolean
+has_halves (Hull2vdWindow *window)
+{
+  return !window_space_is_detached (window)
+         && gtk_widget_get_visible (window->plane_box)
+         && gtk_widget_get_visible (window->space_box);
+}
+
+/* Of both views, without the divider between them. */
+static int
+get_views_width (Hull2vdWindow *window)
+{
+  return has_halves (window)
+             ? gtk_widget_get_allocated_width (window->plane_box)
+                   + gtk_widget_get_allocated_width (window->space_box)
+             : gtk_widget_get_allocated_width (GTK_WIDGET (window->view_paned));
+}
+
+#define HALF_REACH_PX 4
+
+/* Halves that are not quite equal would show one picture twice in two sizes:
+ * the divider stands in the middle where it is near.
+ *
+ * Returns: where the divider should be. */
+static int
+get_even_position (Hull2vdWindow *window)
+{
+  const int position = gtk_paned_get_position (window->view_paned);
+  const int left = gtk_widget_get_allocated_width (window->plane_box);
+  const int right = gtk_widget_get_allocated_width (window->space_box);
+  int least, most;
+
+  if (!has_halves (window) || abs (left - right) < 2
+      || abs (left - right) > 2 * HALF_REACH_PX)
+    return position;
+  g_object_get (window->view_paned, "min-position", &least, "max-position",
+                &most, NULL);
+  return CLAMP ((left + right) / 2, least, MAX (least, most));
+}
+
+/* Not while sizes are being given. */
+static gboolean
+on_frame (GtkWidget *paned, GdkFrameClock *clock, gpointer user)
+{
+  Hull2vdWindow *window = user;
+
+  (void)clock;
+  gtk_paned_set_position (GTK_PANED (paned), get_even_position (window));
+  return G_SOURCE_REMOVE;
+}
+
 /* The divider can be put in its place once there is a width to share. */
 static void
 on_views_allocated (GtkWidget *paned,
@@ -105,11 +156,15 @@ on_views_allocated (GtkWidget *paned,
             ? g_settings_get_double (window->settings, "plane-share")
             : 0.5;
 
+  if (window->is_placed
+      && get_even_position (window)
+             != gtk_paned_get_position (GTK_PANED (paned)))
+    gtk_widget_add_tick_callback (paned, on_frame, window, NULL);
   if (window->is_placed || allocation->width < 2)
     return;
   window->is_placed = TRUE;
   gtk_paned_set_position (GTK_PANED (paned),
-                          (int)lround (share * allocation->width));
+                          (int)lround (share * get_views_width (window)));
 }
 
 /* With a frame and a title bar round it, the window fits on the screen. */
@@ -166,8 +221,7 @@ void
 window_layout_save (Hull2vdWindow *window)
 {
   GtkWindow *gtk_window = GTK_WINDOW (window);
-  const int views
-      = gtk_widget_get_allocated_width (GTK_WIDGET (window->view_paned));
+  const int views = get_views_width (window);
   int width, height;
 
   if (window->settings == NULL || views < 2)
