@@ -26,7 +26,8 @@ static const double gaps[N_GAPS] = { 1.5, 5, 8.5, 12, 18, 26, 36, 44 };
 #define COST_MISTAKEN 110.0
 #define COST_BETWEEN 90.0
 #define COST_OUT 60.0    /* the name of a facet is not within it, */
-#define COST_UNLED 300.0 /* and has no leader */
+#define COST_UNLED 300.0 /* and has no leader, */
+#define COST_STUB 1000.0 /* or one that does not leave the facet */
 
 /* Another mark is this many times as far from a name as its own, and so many
  * px more; further away there is a leader anyway. */
@@ -379,6 +380,20 @@ cost_of_company (const LabelNear *near,
   return cost;
 }
 
+/* A leader that is all within its facet leads from beside it to its border. */
+static bool
+is_stub (const Label *label, const PixelBox *box)
+{
+  PixelBox end;
+  Pixel ends[2];
+
+  if (!label->is_of_facet || !label_leader (label, box, ends))
+    return false;
+  end = (PixelBox){ (float)ends[1].x, (float)ends[1].y, (float)ends[1].x,
+                    (float)ends[1].y };
+  return label_outside (&end, label->corners) < 0;
+}
+
 /* The middle of a name that reaches out of its facet may be within: then it is
  * better there than with a leader that is none. */
 static void
@@ -388,7 +403,8 @@ lead (const LabelNear *near, const Label *label, LabelTrial *trial)
   const float x = (box->left + box->right) / 2;
   const float y = (box->top + box->bottom) / 2;
   const bool is_only_out = label->is_of_facet && !(trial->doubt > COST_OUT);
-  const double fault = label_leader_fault (near, label, trial);
+  const double fault = label_leader_fault (near, label, trial)
+                       + (is_stub (label, box) ? COST_STUB : 0);
 
   if (fault > 0 && is_only_out
       && label_outside (&(PixelBox){ x, y, x, y }, label->corners) < 0) {
