@@ -35,20 +35,39 @@ plain_mark (const SceneItem *item)
   }
 }
 
+static bool
+is_lift (Role role)
+{
+  return role >= ROLE_LIFT && role <= ROLE_LIFT_OUTSIDE;
+}
+
+/* The mark that a lit item is: most are as one knows them, with the same light;
+ * what belongs to the object looks like none of them. */
+static int
+light_mark (const SceneItem *item)
+{
+  const bool is_selected = item->lit == LIT_SELECTED;
+
+  if (is_vertex (item->role))
+    return is_selected ? LEGEND_SELECTED_VERTEX : LEGEND_POINTED_VERTEX;
+  if (item->role == ROLE_CELL)
+    return is_selected ? LEGEND_SELECTED_CELL : LEGEND_POINTED_CELL;
+  if (is_lift (item->role))
+    return is_selected ? LEGEND_SELECTED_LIFT : LEGEND_POINTED_LIFT;
+  if (is_selected && item->role == ROLE_CIRCLE_SELECTED)
+    return ROLE_CIRCLE_SELECTED;
+  return is_selected ? ROLE_LIT : LEGEND_POINTED;
+}
+
 static void
 add_light (LegendMarks *marks, const SceneItem *item)
 {
-  int mark = ROLE_LIT;
+  int mark;
 
   /* Names are not lit. */
   if (item->lit == LIT_NONE || item->role >= ROLE_POWER)
     return;
-  if (item->lit == LIT_HOVER)
-    mark = is_vertex (item->role) ? LEGEND_POINTED_VERTEX : LEGEND_POINTED;
-  else if (item->role == ROLE_CIRCLE_SELECTED)
-    mark = ROLE_CIRCLE_SELECTED;
-  else if (is_vertex (item->role))
-    mark = LEGEND_SELECTED_VERTEX;
+  mark = light_mark (item);
   marks->shapes[mark] |= bit_of (item);
   marks->is_strong[mark] = true;
 }
@@ -158,6 +177,24 @@ is_pale (const LegendMarks *marks, int mark)
          && mark != ROLE_FURTHEST_CELL && mark != ROLE_TANGENT;
 }
 
+static Role
+role_of (int mark)
+{
+  switch (mark) {
+  case LEGEND_SELECTED_VERTEX:
+  case LEGEND_POINTED_VERTEX:
+    return ROLE_VORONOI_VERTEX;
+  case LEGEND_SELECTED_CELL:
+  case LEGEND_POINTED_CELL:
+    return ROLE_CELL;
+  case LEGEND_SELECTED_LIFT:
+  case LEGEND_POINTED_LIFT:
+    return ROLE_LIFT;
+  default:
+    return (Role)mark;
+  }
+}
+
 SceneItem
 legend_mark_sample (const LegendMarks *marks, int mark, ObjectKind kind)
 {
@@ -175,11 +212,11 @@ legend_mark_sample (const LegendMarks *marks, int mark, ObjectKind kind)
   item.shape = shapes & 1u << SHAPE_POLYGON ? SHAPE_POLYGON
                : shapes & 1u << SHAPE_PATH  ? SHAPE_PATH
                                             : SHAPE_MARK;
-  item.role = mark < N_ROLES ? (Role)mark : ROLE_VORONOI_VERTEX;
+  item.role = role_of (mark);
   item.n = mark == ROLE_SITE && marks->has_hull ? 2 : 1;
-  if (mark == LEGEND_SELECTED_VERTEX || mark == ROLE_CIRCLE_SELECTED)
-    item.lit = LIT_SELECTED;
-  if (mark == LEGEND_POINTED_VERTEX)
+  if (mark > LEGEND_POINTED)
     item.lit = LIT_HOVER;
+  else if (mark >= LEGEND_SELECTED_VERTEX || mark == ROLE_CIRCLE_SELECTED)
+    item.lit = LIT_SELECTED;
   return item;
 }

@@ -18,8 +18,12 @@ enum {
   LEGEND_NEW_CELL = N_ROLES, /* of the current site */
   LEGEND_OTHER_NEW_CELL,     /* of that of another run beside it */
   LEGEND_SELECTED_VERTEX,    /* the Voronoi vertex of the selected circle */
-  LEGEND_POINTED,            /* whatever the pointer is on */
-  LEGEND_POINTED_VERTEX,     /* the Voronoi vertex of the facet it is on */
+  LEGEND_SELECTED_CELL,      /* of the selected site */
+  LEGEND_SELECTED_LIFT,
+  LEGEND_POINTED,        /* whatever the pointer is on */
+  LEGEND_POINTED_VERTEX, /* the Voronoi vertex of the facet it is on */
+  LEGEND_POINTED_CELL,   /* of the site it is on */
+  LEGEND_POINTED_LIFT,
   N_LEGEND_MARKS,
 };
 

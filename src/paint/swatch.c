@@ -378,7 +378,8 @@ painter_swatch (cairo_t *cr,
     paint_marks (cr, &style, item, theme, size);
   else if (sample == SAMPLE_TRIANGLE)
     paint_triangle (cr, item, theme, size);
-  else if (item->role == ROLE_CELL && item->emphasis != EMPHASIS_LOUD)
+  else if (item->role == ROLE_CELL && item->emphasis != EMPHASIS_LOUD
+           && item->lit == LIT_NONE)
     paint_cells (cr, item, theme, size);
   else if (item->role == ROLE_SHEET)
     paint_sheet (cr, item, theme, size);

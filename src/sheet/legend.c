@@ -81,6 +81,10 @@ static const char *const mark_texts[N_LEGEND_MARKS] = {
   [ROLE_SITE_IGNORED] = N_ ("inside, ignored"),
   [LEGEND_POINTED] = N_ ("pointed at"),
   [LEGEND_POINTED_VERTEX] = N_ ("its Voronoi vertex"),
+  [LEGEND_POINTED_CELL] = N_ ("its cell"),
+  [LEGEND_POINTED_LIFT] = N_ ("its lift"),
+  [LEGEND_SELECTED_CELL] = N_ ("selected cell"),
+  [LEGEND_SELECTED_LIFT] = N_ ("selected lift"),
 };
 
 /* Of a hull in the plane, where they say something else. */
@@ -171,6 +175,8 @@ legend_mark_is_of_pointer (int mark)
   switch (mark) {
   case LEGEND_POINTED:
   case LEGEND_POINTED_VERTEX:
+  case LEGEND_POINTED_CELL:
+  case LEGEND_POINTED_LIFT:
   case ROLE_PREVIEW_TRIANGLE:
   case ROLE_PREVIEW_STOLEN:
   case ROLE_PREVIEW_EDGE:
@@ -229,6 +235,9 @@ role_before (int mark)
     return ROLE_CELL;
   case LEGEND_SELECTED_VERTEX:
     return ROLE_CIRCLE_SELECTED;
+  case LEGEND_SELECTED_CELL:
+  case LEGEND_SELECTED_LIFT:
+    return ROLE_LIT;
   default:
     return mark;
   }
