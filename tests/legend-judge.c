@@ -92,8 +92,24 @@ is_explained (const Moment *moment, const Theme *theme, const SceneItem *item)
   return FALSE;
 }
 
+/* What of an object looks like nothing else that is lit with it: its lift, its
+ * cell, or its Voronoi vertex. */
+static gboolean
+has_own_light (Role role)
+{
+  return role == ROLE_CELL || (role >= ROLE_LIFT && role <= ROLE_LIFT_OUTSIDE)
+         || (role >= ROLE_VORONOI_VERTEX && role <= ROLE_FURTHEST_VERTEX);
+}
+
+static gboolean
+is_same_family (Role a, Role b)
+{
+  return has_own_light (b) && (a == ROLE_CELL) == (b == ROLE_CELL)
+         && (a >= ROLE_VORONOI_VERTEX) == (b >= ROLE_VORONOI_VERTEX);
+}
+
 /* What is selected is an outline or a ring, and has a row for each; what is
- * pointed at has one row. */
+ * pointed at has one row; what looks like neither has its own. */
 static gboolean
 is_light_explained (const Moment *moment,
                     const Theme *theme,
@@ -103,6 +119,9 @@ is_light_explained (const Moment *moment,
     const LegendRow *row = g_ptr_array_index (moment->rows, i);
     const Style sample = theme_style (theme, &row->sample);
 
+    if (has_own_light (item->role)
+        && !is_same_family (item->role, row->sample.role))
+      continue;
     if (row->sample.lit == item->lit
         && (item->lit == LIT_HOVER || item->shape != SHAPE_MARK
             || sample.mark != MARK_NONE))
