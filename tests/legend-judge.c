@@ -1,7 +1,6 @@
 /* Judges the legend. */
 #include "legend-judge.h"
 
-#include "painter.h"
 #include "sight.h"
 
 #include <string.h>
@@ -197,25 +196,10 @@ check_item (const Moment *moment, const Theme *theme, const SceneItem *item)
 static char *
 key_of (const Theme *theme, const SceneItem *sample)
 {
-  return g_strdup_printf ("%s %d %d %d %d %u", theme->name, (int)sample->role,
-                          (int)sample->shape, (int)sample->emphasis,
-                          (int)sample->lit, sample->hue);
-}
-
-static cairo_surface_t *
-paint_sample (const Theme *theme, const SceneItem *sample)
-{
-  cairo_surface_t *surface = cairo_image_surface_create (
-      CAIRO_FORMAT_RGB24, SWATCH_WIDTH, SWATCH_HEIGHT);
-  cairo_t *cr = cairo_create (surface);
-  const Colour ground = theme->background;
-
-  cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);
-  cairo_paint (cr);
-  painter_swatch (cr, sample, theme, SWATCH_WIDTH, SWATCH_HEIGHT);
-  cairo_destroy (cr);
-  cairo_surface_flush (surface);
-  return surface;
+  return g_strdup_printf ("%s %d %d %d %d %u %u", theme->name,
+                          (int)sample->role, (int)sample->shape,
+                          (int)sample->emphasis, (int)sample->lit, sample->hue,
+                          sample->n);
 }
 
 static cairo_surface_t *
@@ -230,7 +214,7 @@ get_sample (const Theme *theme, const SceneItem *sample)
                                       (GDestroyNotify)cairo_surface_destroy);
   surface = g_hash_table_lookup (surfaces, key);
   if (surface == NULL) {
-    surface = paint_sample (theme, sample);
+    surface = sight_paint_sample (theme, sample, SWATCH_WIDTH, SWATCH_HEIGHT);
     g_hash_table_insert (surfaces, g_steal_pointer (&key), surface);
   }
   return surface;

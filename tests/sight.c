@@ -1,4 +1,5 @@
 #include "sight.h"
+#include "painter.h"
 
 #include <math.h>
 
@@ -97,6 +98,25 @@ sight_style (const Theme *theme, Role role)
 }
 
 static guint n_faults;
+
+cairo_surface_t *
+sight_paint_sample (const Theme *theme,
+                    const SceneItem *sample,
+                    int width,
+                    int height)
+{
+  cairo_surface_t *surface
+      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, width, height);
+  cairo_t *cr = cairo_create (surface);
+  const Colour ground = theme->background;
+
+  cairo_set_source_rgb (cr, ground.red, ground.green, ground.blue);
+  cairo_paint (cr);
+  painter_swatch (cr, sample, theme, width, height);
+  cairo_destroy (cr);
+  cairo_surface_flush (surface);
+  return surface;
+}
 
 void
 sight_fault (const Theme *theme,

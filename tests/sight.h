@@ -5,6 +5,7 @@
 
 #include "theme.h"
 
+#include <cairo.h>
 #include <glib.h>
 
 #define N_VISIONS 3
@@ -30,6 +31,12 @@ double sight_distance (Colour a, Colour b, const double *vision);
 
 /* Returns: how an item of the role looks that is neither loud nor pale. */
 Style sight_style (const Theme *theme, Role role);
+
+/* Returns: a sample of the legend on the theme's ground, RGB24. */
+cairo_surface_t *sight_paint_sample (const Theme *theme,
+                                     const SceneItem *sample,
+                                     int width,
+                                     int height);
 
 /* Notes a fault of a theme, for the test to fail in the end. */
 void sight_fault (const Theme *theme,

@@ -1,6 +1,4 @@
 /* The legend's samples show what their marks are known by. */
-#include "brush.h"
-#include "painter.h"
 #include "sight.h"
 
 #include <math.h>
@@ -11,16 +9,7 @@
 static cairo_surface_t *
 paint_item (const Theme *theme, const SceneItem *item)
 {
-  cairo_surface_t *surface
-      = cairo_image_surface_create (CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
-  cairo_t *cr = cairo_create (surface);
-
-  brush_colour (cr, theme->background);
-  cairo_paint (cr);
-  painter_swatch (cr, item, theme, WIDTH, HEIGHT);
-  cairo_destroy (cr);
-  cairo_surface_flush (surface);
-  return surface;
+  return sight_paint_sample (theme, item, WIDTH, HEIGHT);
 }
 
 static cairo_surface_t *
